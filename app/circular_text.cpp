@@ -90,8 +90,8 @@ std::string program_circles_text(const Run& run, const ProgramCircles& circles) 
         "angle: evaluated, in degrees, from where the control has reached the circle to where it leaves\n"
         "it; Fmean: mean deviation of one direction. Centre and radius are those of the tool centre.\n";
   }
-  for (const std::string& note : program_circle_notes(circles)) {
-    text += "\n" + wrapped(note, 0) + "\n";
+  for (const Message& note : program_circle_notes(circles)) {
+    text += "\n" + wrapped(note.english(), 0) + "\n";
   }
   return text;
 }

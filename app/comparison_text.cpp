@@ -133,7 +133,7 @@ void add_shares(Cells& cells, const ComparedRun& run, double AxisPeaks::*peak, d
 std::string not_counted_text(std::span<const ComparedRun> runs) {
   std::vector<std::pair<std::string, std::vector<std::string>>> texts;
   for (const ComparedRun& run : runs) {
-    const std::string text = describe(run.summary.not_counted);
+    const std::string text = describe(run.summary.not_counted).english();
     auto known = std::ranges::find(texts, text, [](const auto& entry) { return entry.first; });
     if (known == texts.end()) {
       known = texts.insert(texts.end(), {text, {}});

@@ -45,7 +45,7 @@ std::string change_text(const Remedy& remedy, const Setup& setup);
 /// Most is lost in corners, to ...".
 std::string conclusion(const Run& run, const TimeReport& report) {
   const TimeUse& use = report.use;
-  const std::string refused = refused_note(run.input.lines_not_run);
+  const std::string refused = refused_note(run.input.lines_not_run).english();
   if (is_refused(run)) {
     return wrapped(fmt::format("No feed motion is run: there is no cycle time to explain. {}", refused), 0) +
            "\n";
@@ -362,14 +362,14 @@ std::string explanation_text(const Run& run, const TimeReport& report, const Pro
   if (is_refused(run) || !(use.cycle_time > 0)) {
     return out;
   }
-  if (const std::string missing = describe(run.summary.not_counted); !missing.empty()) {
+  if (const std::string missing = describe(run.summary.not_counted).english(); !missing.empty()) {
     out += fmt::format("Not in the cycle time: {}\n", missing);
   }
   if (const char* const note = limits_note(run.setup)) {
     out += wrapped(note, 0) + "\n";
   }
   if (const auto feed = feed_beyond_machine(run.input, *run.input.toolpath, run.setup)) {
-    out += wrapped(describe(*feed), 0) + "\n";
+    out += wrapped(describe(*feed).english(), 0) + "\n";
   }
   out += "\nWhat it consists of\n" + kinds_text(use);
   out += "\nWhat limits it, with braking for it\n" + causes_text(use);

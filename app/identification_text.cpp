@@ -160,7 +160,7 @@ std::string identification_text(const std::vector<Identification>& models,
     }
     text += table.text("lrrl");
     for (const UnfittedModel& one : unfitted) {
-      text += fmt::format("{}: {}\n", one.id, one.reason);
+      text += fmt::format("{}: {}\n", one.id, one.reason.english());
     }
     text += "\n";
   }

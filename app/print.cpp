@@ -311,7 +311,7 @@ void print_diagnostics(const std::vector<Diagnostic>& diagnostics, const Program
     if (style == DiagnosticStyle::with_source) {
       fmt::print(stderr, "{}", marked_line(program, *diagnostic.first));
     }
-    if (const std::string repeats = repeats_text(diagnostic); !repeats.empty()) {
+    if (const std::string repeats = repeats_text(diagnostic).english(); !repeats.empty()) {
       fmt::print(stderr, "  {}\n", repeats);
     }
   }
@@ -319,7 +319,7 @@ void print_diagnostics(const std::vector<Diagnostic>& diagnostics, const Program
 
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics, std::string_view file) {
   for (const RepeatedDiagnostic& diagnostic : without_repeats(diagnostics)) {
-    const std::string repeats = repeats_text(diagnostic);
+    const std::string repeats = repeats_text(diagnostic).english();
     fmt::print(stderr, "{}\n{}", format(*diagnostic.first, file),
                repeats.empty() ? "" : fmt::format("  {}\n", repeats));
   }
@@ -361,10 +361,10 @@ std::string figure_notes_text(const Run& run) {
     text += "  " + wrapped(note, 2) + "\n";
   }
   if (const auto feed = feed_beyond_machine(run.input, *run.input.toolpath, run.setup)) {
-    text += "  " + wrapped(describe(*feed), 2) + "\n";
+    text += "  " + wrapped(describe(*feed).english(), 2) + "\n";
   }
   for (const UndeterminedLimit& limit : undetermined_limits(run)) {
-    text += "  " + wrapped(describe(limit), 2) + "\n";
+    text += "  " + wrapped(describe(limit).english(), 2) + "\n";
   }
   return text;
 }
@@ -386,7 +386,7 @@ std::string summary_text(const Run& run) {
   figures.add({"cycle time", is_refused(run)
                                  ? "none: the control refuses the program, none of its feed motions is run"
                                  : time_text(s.cycle_time)});
-  if (const std::string missing = describe(s.not_counted); !missing.empty()) {
+  if (const std::string missing = describe(s.not_counted).english(); !missing.empty()) {
     figures.add({"not in the cycle time", missing});
   }
   figures.add({"programmed time", time_text(s.programmed_time)});

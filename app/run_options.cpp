@@ -299,7 +299,7 @@ void note_replaced_tolerance(const Toolpath& toolpath, const std::vector<Setup>&
       std::ranges::any_of(setups, [](const Setup& setup) { return contour_tolerance(setup).has_value(); });
   if (const PathControl* own = find_own_tolerance(toolpath.path_controls); used && own != nullptr) {
     fmt::print(stderr, "feedscope: note: --tolerance replaces the program's own path control ({})\n",
-               describe(*own));
+               describe(*own).english());
   }
 }
 
@@ -341,16 +341,18 @@ void note_runs(const LoadedProgram& program, const std::vector<Setup>& setups) {
       return text.empty() ? "" : fmt::format("model '{}': {}", setup.model->info().id, text);
     };
     if (const auto mismatch = control_mismatch(setup.machine, program.program->dialect)) {
-      note(describe(*mismatch));
+      note(describe(*mismatch).english());
     }
     if (const std::string offsets = unused_work_offsets(*program.program, setup.machine); !offsets.empty()) {
       note(fmt::format("the program was read with work offsets other than those of machine '{}' ({})",
                        setup.machine.id, offsets));
     }
-    std::ranges::for_each(drive_notes(setup.machine), note);
-    note(of_model(refused_note(refused_lines(program, setup))));
-    for (const std::string& sentence : ignored_path_control(program, setup)) {
-      note(of_model(sentence));
+    for (const Message& of_drive : drive_notes(setup.machine)) {
+      note(of_drive.english());
+    }
+    note(of_model(refused_note(refused_lines(program, setup)).english()));
+    for (const Message& sentence : ignored_path_control(program, setup)) {
+      note(of_model(sentence.english()));
     }
   }
 }

@@ -119,7 +119,8 @@ int tell_of_shown_runs(const ui::ReportInput& input, const std::vector<std::stri
   note_runs(input.program(), setups);
   print_diagnostics(program);
   for (const ui::UnmadeRun& run : input.unmade) {
-    fmt::print(stderr, "feedscope: {} could not be simulated: {}\n", run.name.toStdString(), run.why);
+    fmt::print(stderr, "feedscope: {} could not be simulated: {}\n", run.name.toStdString(),
+               run.why.english());
   }
   int code = input.unmade.empty() ? exit_code::done : exit_code::program_errors;
   std::set<std::string> machines;
@@ -142,7 +143,7 @@ SimulatedRuns simulate_all(const ReadOptions& reading, const std::vector<ui::Run
   Progress& whole = *watch.stage("simulating");
   SimulatedRuns made;
   made.shown.resize(asked.size());
-  std::vector<std::string> faults(asked.size());
+  std::vector<Message> faults(asked.size());
   in_parallel(asked.size(), [&](std::size_t i) {
     Progress part(whole, 1 / static_cast<double>(asked.size()));
     try {
@@ -150,7 +151,7 @@ SimulatedRuns simulate_all(const ReadOptions& reading, const std::vector<ui::Run
       setup.load = load;
       made.shown[i] = ui::simulate_shown(program, std::move(setup), &part, nullptr, parts);
     } catch (const InputError& error) {
-      faults[i] = error.what();
+      faults[i] = error.message();
     }
   });
   if (std::ranges::none_of(made.shown, [](const auto& shown) { return shown != nullptr; })) {

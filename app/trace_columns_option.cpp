@@ -31,7 +31,7 @@ TraceColumns asked_columns(const std::string& columns) {
   if (columns.find('=') != std::string::npos || !std::filesystem::is_regular_file(columns, ignored)) {
     return parse_trace_columns(columns);
   }
-  std::string text = file_text(columns, "column specification", 1);
+  std::string text = file_text(columns, NC_("core", "column specification"), 1);
   text.erase(text.find_last_not_of(" \t\r\n") + 1);
   return parse_trace_columns(text);
 }

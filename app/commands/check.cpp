@@ -87,7 +87,7 @@ std::string offsets_text(const Program& program) {
 std::string facts_text(const Program& program, const ProgramFacts& facts) {
   TextTable table;
   table.add({"dialect", std::string(info_of(program.dialect).title)});
-  table.add({"unit", describe(program.unit)});
+  table.add({"unit", describe(program.unit).english()});
   table.add({"lines", fmt::format("{}; {} blocks run", facts.lines, facts.blocks)});
   table.add({"segments", fmt::format("{}: {} lines, {} arcs, {} dwells", facts.segments,
                                      facts.segments - facts.arcs - facts.dwells, facts.arcs, facts.dwells)});
@@ -118,7 +118,7 @@ std::string facts_text(const Program& program, const ProgramFacts& facts) {
   if (!program.work_offsets.empty()) {
     table.add({"work offsets", offsets_text(program)});
   }
-  if (const std::string events = describe(facts.not_counted); !events.empty()) {
+  if (const std::string events = describe(facts.not_counted).english(); !events.empty()) {
     table.add({"times not given", events});
   }
   table.add({"calls", fmt::format("{}", program.call_count)});
@@ -129,7 +129,7 @@ std::string facts_text(const Program& program, const ProgramFacts& facts) {
     const std::string lines = range.first_line == range.last_line
                                   ? fmt::format("line {}", range.first_line)
                                   : fmt::format("lines {} to {}", range.first_line, range.last_line);
-    table.add({std::exchange(label, ""), fmt::format("{}: {}", lines, describe(range.control))});
+    table.add({std::exchange(label, ""), fmt::format("{}: {}", lines, describe(range.control).english())});
   }
   return table.text("ll");
 }

@@ -182,8 +182,8 @@ int circular_test(const CircularOptions& options) {
   write_outputs(
       options, setup, [&] { return circular_json(setup, tests); }, [&] { return circular_csv(tests); }, tests,
       program);
-  for (const std::string& note : drive_notes(setup.machine)) {
-    fmt::print(stderr, "feedscope: note: {}\n", note);
+  for (const Message& note : drive_notes(setup.machine)) {
+    fmt::print(stderr, "feedscope: note: {}\n", note.english());
   }
   if (!to_standard_output(options)) {
     fmt::print("{}", circular_text(setup, tests));
@@ -198,8 +198,8 @@ std::vector<CircularTest> drawn(const CircularOptions& options, const ProgramCir
     return {};
   }
   if (circles.tests.empty()) {
-    throw InputError(
-        fmt::format("--out '{}' cannot be drawn: {}", options.out, program_circle_notes(circles).front()));
+    throw InputError(fmt::format("--out '{}' cannot be drawn: {}", options.out,
+                                 program_circle_notes(circles).front().english()));
   }
   std::vector<CircularTest> tests;
   for (const std::string& text : options.circles) {

@@ -183,7 +183,7 @@ Compared compare(Work& work) {
     try {
       compared.models.push_back(work.fit(start));
     } catch (const InputError& error) {
-      compared.unfitted.push_back({start.model->info().title, error.what(), start.model->info().id});
+      compared.unfitted.push_back({start.model->info().title, error.message(), start.model->info().id});
     }
   }
   if (compared.models.empty()) {

@@ -32,9 +32,9 @@ void list_models() {
   fmt::print("{}", table.text("ll"));
 }
 
-void print_items(const std::vector<std::string>& items) {
-  for (const std::string& item : items) {
-    fmt::print("  - {}\n", wrapped(item, 4));
+void print_items(const std::vector<Message>& items) {
+  for (const Message& item : items) {
+    fmt::print("  - {}\n", wrapped(item.english(), 4));
   }
 }
 
@@ -45,7 +45,7 @@ Settings fallback_settings(const ControlModel& model) {
 /// Prints the guarantees with the fallbacks of all settings, then the changes by other choices.
 void print_guarantees(const ControlModel& model) {
   const Settings fallbacks = fallback_settings(model);
-  const std::vector<std::string> usual = sentences(model.guarantees(fallbacks));
+  const std::vector<Message> usual = sentences(model.guarantees(fallbacks));
   fmt::print("\nGuarantees\n");
   print_items(usual);
   print_items(model.info().remarks);
@@ -53,8 +53,8 @@ void print_guarantees(const ControlModel& model) {
     for (const std::string& choice : spec.choices) {
       Settings settings = fallbacks;
       settings.set(spec.key, choice);
-      std::vector<std::string> changed = sentences(model.guarantees(settings));
-      std::erase_if(changed, [&](const std::string& sentence) {
+      std::vector<Message> changed = sentences(model.guarantees(settings));
+      std::erase_if(changed, [&](const Message& sentence) {
         return std::find(usual.begin(), usual.end(), sentence) != usual.end();
       });
       if (!changed.empty()) {

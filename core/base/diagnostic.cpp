@@ -13,13 +13,13 @@ namespace feedscope {
 std::string_view to_string(Severity severity) {
   switch (severity) {
     case Severity::info:
-      return "info";
+      return NC_("core", "info").english;
     case Severity::warning:
-      return "warning";
+      return NC_("core", "warning").english;
     case Severity::error:
-      return "error";
+      break;
   }
-  return "error";
+  return NC_("core", "error").english;
 }
 
 bool has_errors(const std::vector<Diagnostic>& diagnostics) {
@@ -37,7 +37,7 @@ std::uint64_t count_of(const std::vector<Diagnostic>& diagnostics, Severity seve
 
 std::vector<RepeatedDiagnostic> without_repeats(const std::vector<Diagnostic>& diagnostics) {
   using Kind = std::tuple<std::string_view, std::string_view, Severity>;
-  using Said = std::pair<std::string_view, std::string_view>;
+  using Said = std::pair<std::string, std::string>;
   constexpr std::size_t several = std::numeric_limits<std::size_t>::max();
   std::vector<RepeatedDiagnostic> all;
   std::map<std::pair<Kind, Said>, std::size_t> known;
@@ -55,7 +55,8 @@ std::vector<RepeatedDiagnostic> without_repeats(const std::vector<Diagnostic>& d
       all.push_back({&d});
       continue;
     }
-    const auto [found, is_new] = known.try_emplace({kind, Said(d.message, d.hint)}, all.size());
+    const auto [found, is_new] =
+        known.try_emplace({kind, Said(d.message.english(), d.hint.english())}, all.size());
     if (is_new) {
       const auto [only, is_first] = only_of_kind.try_emplace({kind, d.detail}, all.size());
       only->second = is_first ? all.size() : several;
@@ -71,19 +72,24 @@ std::vector<RepeatedDiagnostic> without_repeats(const std::vector<Diagnostic>& d
   return all;
 }
 
-std::string repeats_text(const RepeatedDiagnostic& diagnostic) {
+Message repeats_text(const RepeatedDiagnostic& diagnostic) {
   const std::vector<std::uint32_t>& lines = diagnostic.further_lines;
-  std::string text;
-  if (!lines.empty()) {
-    text = lines.size() == 1 ? fmt::format("also in line {}", lines.front())
-                             : fmt::format("also in lines {} and {}",
-                                           fmt::join(lines.begin(), lines.end() - 1, ", "), lines.back());
+  Message also;
+  if (lines.size() == 1) {
+    also = message(NC_("core", "also in line {}"), lines.front());
+  } else if (!lines.empty()) {
+    std::vector<Message> numbers;
+    for (const std::uint32_t line : lines) {
+      numbers.push_back(Message::number(std::to_string(line)));
+    }
+    also = message(NC_("core", "also in lines {}"), listed(numbers));
   }
-  if (diagnostic.unlisted > 0) {
-    text += fmt::format("{}{} more up to line {}", text.empty() ? "" : "; ", diagnostic.unlisted,
-                        diagnostic.last_line);
+  if (diagnostic.unlisted == 0) {
+    return also;
   }
-  return text;
+  const Message more =
+      message(NC_("core", "{} more up to line {}"), diagnostic.unlisted, diagnostic.last_line);
+  return also.empty() ? more : message(NC_("core", "{}; {}"), also, more);
 }
 
 std::string format(const Diagnostic& d, std::string_view file) {
@@ -94,8 +100,8 @@ std::string format(const Diagnostic& d, std::string_view file) {
       place += fmt::format(":{}", d.column);
     }
   }
-  const std::string hint = d.hint.empty() ? "" : fmt::format(" ({})", d.hint);
-  return fmt::format("{}: {}: {} [{}]{}", place, to_string(d.severity), d.message, d.code, hint);
+  const std::string hint = d.hint.empty() ? "" : fmt::format(" ({})", d.hint.english());
+  return fmt::format("{}: {}: {} [{}]{}", place, to_string(d.severity), d.message.english(), d.code, hint);
 }
 
 }  // namespace feedscope

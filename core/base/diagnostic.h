@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
+
 namespace feedscope {
 
 enum class Severity : std::uint8_t { info, warning, error };
@@ -18,8 +20,8 @@ struct Diagnostic {
   std::uint32_t line = 0;    ///< 1-based; 0: the file as a whole
   std::uint32_t column = 0;  ///< 1-based byte column; 0: the line as a whole
   std::string code;          ///< stable short name, "arc-radius"
-  std::string message;       ///< thing and value
-  std::string hint;          ///< what to do; may be empty
+  Message message;           ///< thing and value
+  Message hint;              ///< what to do; may be empty
   std::string file = {};     ///< of a subprogram in its own file; empty: the program itself
   /// Number of places: more than one in a final message that counts unlisted ones.
   std::uint64_t count = 1;
@@ -44,7 +46,7 @@ std::uint64_t count_of(const std::vector<Diagnostic>& diagnostics, Severity seve
 /// that counts the rest of a kind is merged with the message of this kind if there is only one.
 std::vector<RepeatedDiagnostic> without_repeats(const std::vector<Diagnostic>& diagnostics);
 /// Text such as "also in lines 5, 7 and 12; 20 more up to line 90"; empty for a message without repeats.
-std::string repeats_text(const RepeatedDiagnostic& diagnostic);
+Message repeats_text(const RepeatedDiagnostic& diagnostic);
 
 /// One line in the style of a compiler; `file` is the program's: "part.nc:3:7: error: message [code]",
 /// followed by " (hint)" if any.

@@ -2,6 +2,9 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "core/base/message.h"
 
 namespace feedscope {
 
@@ -9,7 +12,14 @@ namespace feedscope {
 /// advice; the command line prints it and exits with code 2.
 class InputError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit InputError(Message message)
+      : std::runtime_error(message.english()), message_(std::move(message)) {}
+  explicit InputError(std::string text) : InputError(Message::as_written(std::move(text))) {}
+
+  const Message& message() const { return message_; }
+
+ private:
+  Message message_;
 };
 
 }  // namespace feedscope

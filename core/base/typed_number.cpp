@@ -1,7 +1,6 @@
 #include "core/base/typed_number.h"
 
 #include <fast_float/fast_float.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +59,7 @@ std::string without_thousands_separators(std::string_view text) {
 TypedNumber typed_number(std::string_view text) {
   const auto commas = std::ranges::count(text, ',');
   if (commas == 0) {
-    return {plain_number(text), ""};
+    return {plain_number(text), {}};
   }
   const std::string with_point = replaced(text, ".");
   if (commas > 1 || text.find('.') != std::string_view::npos) {
@@ -68,15 +67,17 @@ TypedNumber typed_number(std::string_view text) {
     return {
         std::nullopt,
         plain_number(plain)
-            ? fmt::format("a number has one decimal separator and no thousands separators; write {}", plain)
-            : ""};
+            ? message(NC_("core", "a number has one decimal separator and no thousands separators; write {}"),
+                      plain)
+            : Message()};
   }
   const std::optional<double> value = plain_number(with_point);
   if (value && may_group_thousands(text)) {
-    return {std::nullopt, fmt::format("the comma could be a decimal or a thousands separator; write {} or {}",
-                                      with_point, replaced(text, ""))};
+    return {std::nullopt,
+            message(NC_("core", "the comma could be a decimal or a thousands separator; write {} or {}"),
+                    with_point, replaced(text, ""))};
   }
-  return {value, ""};
+  return {value, {}};
 }
 
 TypedNumber typed_list_number(std::string_view text) {
@@ -84,12 +85,14 @@ TypedNumber typed_list_number(std::string_view text) {
     return typed_number(text);
   }
   if (text.find('.') != std::string_view::npos) {
-    return {std::nullopt, fmt::format("a comma does not separate values here; write \"{}\" in quotes",
-                                      replaced(text, ";"))};
+    return {std::nullopt,
+            message(NC_("core", "a comma does not separate values here; write \"{}\" in quotes"),
+                    replaced(text, ";"))};
   }
-  return {std::nullopt, fmt::format("the comma could be a decimal separator or separate values; write {} for "
-                                    "one value, \"{}\" in quotes for several",
-                                    replaced(text, "."), replaced(text, ";"))};
+  return {std::nullopt, message(NC_("core",
+                                    "the comma could be a decimal separator or separate values; write {} for "
+                                    "one value, \"{}\" in quotes for several"),
+                                replaced(text, "."), replaced(text, ";"))};
 }
 
 }  // namespace feedscope

@@ -4,12 +4,14 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/message.h"
+
 namespace feedscope {
 
 /// A typed number, on the command line, in a setting or a field.
 struct TypedNumber {
   std::optional<double> value;  ///< none if it cannot be read
-  std::string problem;          ///< reason and advice without a value; "" if it is not a number
+  Message problem;              ///< reason and advice without a value; "" if it is not a number
 };
 
 /// Reads one finite number, possibly with an exponent ("1e-3"). A point is always the decimal sign. A single

@@ -10,7 +10,7 @@ DriveLaw::DriveLaw(const AxisDrive& drive, char axis)
     : gain_(drive.gain.value_or(0)),
       feedforward_(drive.feedforward.value_or(0)),
       lag_(drive.lag.value_or(0)) {
-  if (const std::string problem = drive_problem(drive, axis); !problem.empty()) {
+  if (const Message problem = drive_problem(drive, axis); !problem.empty()) {
     throw InputError(problem);
   }
   if (gain_ == 0) {

@@ -81,7 +81,7 @@ std::string identification_json(std::span<const Identification> models,
   json["models"] = std::move(list);
   json["unfitted"] = Json::array();
   for (const UnfittedModel& one : unfitted) {
-    json["unfitted"].push_back({{"id", one.id}, {"reason", one.reason}});
+    json["unfitted"].push_back({{"id", one.id}, {"reason", one.reason.english()}});
   }
   return text_of(json);
 }

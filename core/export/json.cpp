@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <numeric>
 
@@ -47,8 +46,8 @@ Json diagnostics(const std::vector<Diagnostic>& diagnostics) {
                {"line", d.line},
                {"column", d.column},
                {"code", d.code},
-               {"message", d.message},
-               {"hint", d.hint}};
+               {"message", d.message.english()},
+               {"hint", d.hint.english()}};
     if (!d.file.empty()) {
       entry["file"] = d.file;
     }
@@ -98,7 +97,7 @@ Json path_control(const ProgramFacts& facts) {
                     {"contour_tolerance_mm", optional(range.control.contour_tolerance)},
                     {"blend_distance_mm", optional(range.control.blend_distance)},
                     {"orientation_tolerance_deg", orientation ? Json(units::to_deg(*orientation)) : Json()},
-                    {"text", describe(range.control)}});
+                    {"text", describe(range.control).english()}});
   }
   return list;
 }
@@ -262,9 +261,12 @@ Json actual_json(const Summary& summary) {
 
 /// run_notes() and undetermined_limits() as sentences.
 std::vector<std::string> notes_of(const LoadedProgram& program, const ComparedRun& run) {
-  std::vector<std::string> notes = run_notes(program, run.setup);
+  std::vector<std::string> notes;
+  for (const Message& note : run_notes(program, run.setup)) {
+    notes.push_back(note.english());
+  }
   for (const UndeterminedLimit& limit : run.undetermined) {
-    notes.push_back(describe(limit));
+    notes.push_back(describe(limit).english());
   }
   return notes;
 }

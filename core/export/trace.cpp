@@ -16,8 +16,8 @@ Json messages_json(const std::vector<Diagnostic>& messages) {
     list.push_back({{"severity", to_string(message.severity)},
                     {"line", message.line},
                     {"code", message.code},
-                    {"message", message.message},
-                    {"hint", message.hint}});
+                    {"message", message.message.english()},
+                    {"hint", message.hint.english()}});
   }
   return list;
 }
@@ -48,7 +48,7 @@ Json head_of(const Trace& trace) {
 Json agreement_json(const TraceOnProgram& found, const Agreement& agreement) {
   Json remarks = Json::array();
   for (const Diagnostic& remark : found.remarks) {
-    remarks.push_back(remark.message);
+    remarks.push_back(remark.message.english());
   }
   Json worst = Json::array();
   for (const WorstPlace& place : agreement.worst) {

@@ -106,10 +106,10 @@ std::vector<FitParameter> fit_parameters_of(const Setup& setup, const std::vecto
     }
     if (!any) {
       const std::string nearest = nearest_name(key, known);
-      throw InputError(fmt::format("'{}' is no number of model '{}' that can be fitted; {}", key,
-                                   setup.model->info().id,
-                                   nearest.empty() ? fmt::format("known: {}", fmt::join(known, ", "))
-                                                   : fmt::format("did you mean '{}'?", nearest)));
+      throw InputError(message(
+          NC_("core", "'{}' is no number of model '{}' that can be fitted; {}"), key, setup.model->info().id,
+          nearest.empty() ? message(NC_("core", "known: {}"), fmt::to_string(fmt::join(known, ", ")))
+                          : message(NC_("core", "did you mean '{}'?"), nearest)));
     }
   }
   return chosen;

@@ -23,10 +23,11 @@ constexpr std::size_t first_variable = 100;  // of a Fanuc: the time of section 
 constexpr std::array feed_shares{0.2, 0.5, 1.0};
 
 void check(const IdentificationProgramRequest& request) {
-  const auto within = [](const char* name, double value, double least, double most, const char* unit) {
+  const auto within = [](std::string_view name, double value, double least, double most,
+                         std::string_view unit) {
     if (!(value >= least && value <= most)) {
-      throw InputError(fmt::format("{} = {} {} is out of bounds; it must be from {} to {} {}", name, value,
-                                   unit, least, most, unit));
+      throw InputError(message(NC_("core", "{} = {} {} is out of bounds; it must be from {} to {} {}"), name,
+                               value, unit, least, most, unit));
     }
   };
   within("size", request.size, 20, 2000, "mm");
@@ -57,11 +58,10 @@ class MotionWriter {
         raw("G17 G21 G90 G94");
         break;
       default:
-        throw InputError(
-            fmt::format("there is no test program for dialect '{}'; there is one for iso, fanuc, linuxcnc, "
-                        "grbl, sinumerik and "
-                        "heidenhain",
-                        info_of(dialect_).id));
+        throw InputError(message(NC_("core",
+                                     "there is no test program for dialect '{}'; there is one for iso, "
+                                     "fanuc, linuxcnc, grbl, sinumerik and heidenhain"),
+                                 info_of(dialect_).id));
     }
   }
   void end() {

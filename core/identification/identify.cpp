@@ -1,7 +1,5 @@
 #include "core/identification/identify.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -380,7 +378,7 @@ Identification identify(const FitCases& cases, const Setup& start,
                         const std::vector<FitParameter>& parameters, const IdentifyOptions& options,
                         Progress* progress) {
   if (cases.empty()) {
-    throw InputError("identification needs at least one trace");
+    throw InputError(NC_("core", "identification needs at least one trace"));
   }
   if (parameters.empty()) {
     ParameterSearch search(cases, start, {}, progress);

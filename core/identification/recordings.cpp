@@ -197,10 +197,11 @@ std::vector<DriveFit> Recordings::fit_drives(const std::vector<FitParameter>& pa
       continue;
     }
     if (recorded.empty()) {
-      throw InputError(fmt::format(
-          "{} is told by set and actual positions of {}; no trace has both: record the actual position too, "
-          "and name it if need be, as --columns actual_{}=5:mm",
-          parameter.key, axis, static_cast<char>(axis - 'X' + 'x')));
+      throw InputError(
+          message(NC_("core",
+                      "{} is told by set and actual positions of {}; no trace has both: record the actual "
+                      "position too, and name it if need be, as --columns actual_{}=5:mm"),
+                  parameter.key, axis, static_cast<char>(axis - 'X' + 'x')));
     }
     FreeDriveNumbers free{};
     for (std::size_t i = 0; i < drive_parameter_count; ++i) {
@@ -382,7 +383,7 @@ bool is_section_times_file(const std::filesystem::path& file) {
 }
 
 std::vector<SectionTime> read_section_times(const std::filesystem::path& file) {
-  return parse_section_times(file_text(file, "table of section times", 1), file.string());
+  return parse_section_times(file_text(file, NC_("core", "table of section times"), 1), file.string());
 }
 
 std::string usual_machine_of(const std::string& model) {

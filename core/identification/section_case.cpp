@@ -1,7 +1,5 @@
 #include "core/identification/section_case.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -18,19 +16,17 @@ constexpr std::size_t rounds = 12;    // neighbours go to different ones
 constexpr double most_apart = 20;  // largest possible ratio to a simulated time, either way
 
 /// Interpretation of times that are `ratio` times the simulated ones, with advice.
-const char* remedy_of(double ratio) {
+Translatable remedy_of(double ratio) {
   constexpr double milliseconds = 1000;
   constexpr double minutes = 60;
   constexpr double roughly = 4;
   const auto is_about = [&](double factor) { return ratio > factor / roughly && ratio < factor * roughly; };
-  return is_about(milliseconds)
-             ? QT_TRANSLATE_NOOP("core", "they seem to be in ms: give their column the title ms")
+  return is_about(milliseconds) ? NC_("core", "they seem to be in ms: give their column the title ms")
          : is_about(1 / milliseconds)
-             ? QT_TRANSLATE_NOOP("core", "they seem to be in s: give their column the title seconds")
+             ? NC_("core", "they seem to be in s: give their column the title seconds")
          : is_about(1 / minutes)
-             ? QT_TRANSLATE_NOOP("core", "they seem to be in minutes: write them in seconds")
-             : QT_TRANSLATE_NOOP(
-                   "core", "give the program that ran, and its times in seconds, or in ms under this title");
+             ? NC_("core", "they seem to be in minutes: write them in seconds")
+             : NC_("core", "give the program that ran, and its times in seconds, or in ms under this title");
 }
 
 }  // namespace
@@ -58,9 +54,9 @@ void SectionCase::check_times(const Setup& start) const {
   const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
   std::ranges::nth_element(ratios, middle);
   if (*middle > most_apart || *middle < 1 / most_apart) {
-    throw InputError(
-        fmt::format("{}: the sections take {:.4g} times what machine '{}' takes in the simulation; {}", name_,
-                    *middle, start.machine.id, remedy_of(*middle)));
+    throw InputError(message(
+        NC_("core", "{}: the sections take {:.4g} times what machine '{}' takes in the simulation; {}"),
+        name_, *middle, start.machine.id, remedy_of(*middle)));
   }
 }
 

@@ -138,10 +138,10 @@ std::vector<SectionTime> parse_section_times(std::string_view text, const std::s
     if (!columns) {
       columns = columns_of(line);
       if (!columns) {
-        throw InputError(
-            fmt::format("{}:{}: not a table of section times; the first row must have the titles, such as "
-                        "section,seconds",
-                        name, row));
+        throw InputError(message(NC_("core",
+                                     "{}:{}: not a table of section times; the first row must have the "
+                                     "titles, such as section,seconds"),
+                                 name, row));
       }
       continue;
     }
@@ -154,22 +154,23 @@ std::vector<SectionTime> parse_section_times(std::string_view text, const std::s
     const std::optional<double> value = field_number(number, decimal);
     constexpr double longest = 1e6;
     if (section.empty() || !value || !(*value > 0) || !(*value * columns->unit < longest)) {
-      throw InputError(fmt::format(
-          "{}:{}: '{}' is not a section and its time; a row is like 12,1.234, with a time above 0 "
-          "and below {:g} s",
-          name, row, line, longest));
+      throw InputError(message(NC_("core",
+                                   "{}:{}: '{}' is not a section and its time; a row is like 12,1.234, with "
+                                   "a time above 0 and below {:g} s"),
+                               name, row, line, longest));
     }
     const auto same = std::ranges::find(times, section, &SectionTime::section);
     if (same != times.end()) {
-      throw InputError(fmt::format("{}:{}: section {} has a time in line {} already; keep one of the two",
-                                   name, row, section, same->row));
+      throw InputError(
+          message(NC_("core", "{}:{}: section {} has a time in line {} already; keep one of the two"), name,
+                  row, section, same->row));
     }
     times.push_back(
         {std::string(section), *value * columns->unit, columns->unit * last_digit(number, decimal), row});
   }
   if (times.size() < least_sections) {
-    throw InputError(fmt::format("{}: section times given: {}; at least {} can tell something", name,
-                                 times.size(), least_sections));
+    throw InputError(message(NC_("core", "{}: section times given: {}; at least {} can tell something"), name,
+                             times.size(), least_sections));
   }
   find_resolution(times);
   return times;
@@ -204,11 +205,10 @@ SectionLines ProgramSections::lines_of(const SectionTime& time, const std::strin
     lines = found != marked_.end() ? found->second : lines;
   }
   if (lines.first == 0 || lines.last < lines.first || lines.last > line_count_) {
-    throw InputError(
-        fmt::format("{}:{}: {} has no section '{}'; a section is marked by the comments SECTION 12 BEGINS "
-                    "and SECTION 12 ENDS, "
-                    "or is given by its lines, as 40-55",
-                    table, time.row, name_, time.section));
+    throw InputError(message(NC_("core",
+                                 "{}:{}: {} has no section '{}'; a section is marked by the comments SECTION "
+                                 "12 BEGINS and SECTION 12 ENDS, or is given by its lines, as 40-55"),
+                             table, time.row, name_, time.section));
   }
   return lines;
 }

@@ -1,7 +1,5 @@
 #include "core/identification/trace_case.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -40,14 +38,15 @@ TraceCase::TraceCase(std::shared_ptr<const Trace> trace, const LoadedProgram& pr
   if (found_.law.empty() || !found_.belongs()) {
     const auto likeness = std::ranges::find_if(found_.remarks, says_likeness);
     if (likeness != found_.remarks.end()) {
-      throw InputError(fmt::format("{}: the trace does not belong to its program as it is: {}; {}",
-                                   trace_->name, likeness->message, likeness->hint));
+      throw InputError(message(NC_("core", "{}: the trace does not belong to its program as it is: {}; {}"),
+                               trace_->name, likeness->message, likeness->hint));
     }
-    throw InputError(fmt::format(
-        "{}: the trace does not belong to its program: {:.1f} % of its way runs along the path within {:.3g} "
-        "mm, "
-        "and along {:.1f} % of it; give the program that was recorded, with the zero point it ran with",
-        trace_->name, 100 * found_.fit.trace_share, found_.tolerance, 100 * found_.fit.path_share));
+    throw InputError(message(NC_("core",
+                                 "{}: the trace does not belong to its program: {:.1f} % of its way runs "
+                                 "along the path within {:.3g} mm, and along {:.1f} % of it; give the "
+                                 "program that was recorded, with the zero point it ran with"),
+                             trace_->name, 100 * found_.fit.trace_share, found_.tolerance,
+                             100 * found_.fit.path_share));
   }
   step_ = std::clamp(trace_->period / 4, finest_step, coarsest_step);
   leave_out_holds(law_of(*run.trajectory, progress));
@@ -59,8 +58,8 @@ TraceCase::TraceCase(std::shared_ptr<const Trace> trace, const LoadedProgram& pr
     // The initial machine does not complete the path: the search continues.
   }
   if (const Diagnostic* wrong = wrong_rate_of(*trace_, found_)) {
-    throw InputError(fmt::format("{}: no limits can be found from this trace: {}; {}", trace_->name,
-                                 wrong->message, wrong->hint));
+    throw InputError(message(NC_("core", "{}: no limits can be found from this trace: {}; {}"), trace_->name,
+                             wrong->message, wrong->hint));
   }
   const double duration = found_.law.times().back() - found_.law.times().front();
   borders_ = cell_borders(found_.law, std::max(samples_a_stretch * trace_->period, duration / most_stretches),
@@ -71,7 +70,8 @@ TraceCase::TraceCase(std::shared_ptr<const Trace> trace, const LoadedProgram& pr
   });
   constexpr std::size_t least_borders = 10;
   if (borders_.size() < least_borders) {
-    throw InputError(trace_->name + ": the trace holds too little of its program to find anything from it");
+    throw InputError(message(
+        NC_("core", "{}: the trace holds too little of its program to find anything from it"), trace_->name));
   }
   for (std::size_t i = 0; i < borders_.size(); ++i) {
     times_.push_back(found_.law.at(borders_[i]));
@@ -113,8 +113,9 @@ void TraceCase::leave_out_holds(const TimeLaw& run) {
     found_.lost.push_back({one.from, one.to, one.from_s, one.to_s, true});
   }
   add_held_notes(found_.remarks, held_, *course_,
-                 "a feed hold, or a stop that the simulation does not know; half a second before it and "
-                 "behind it is not compared, and its time not counted");
+                 NC_("core",
+                     "a feed hold, or a stop that the simulation does not know; half a second before it and "
+                     "behind it is not compared, and its time not counted"));
   std::ranges::stable_sort(found_.lost, {}, &LostStretch::from);
 }
 

@@ -35,7 +35,7 @@ auto at(const ConfigNode& node, Work work) {
   try {
     return work();
   } catch (const InputError& error) {
-    node.fail(error.what());
+    node.fail(error.message());
   }
 }
 
@@ -89,7 +89,7 @@ class LessonReader {
   }
 
   Lesson read(const ConfigNode& root) {
-    const std::string where = "the file";
+    const std::string where = the_file;
     root.check_keys(TranslatedTexts::with_languages({"title", "learn", "minutes", "course", "replaces",
                                                      "sources", "text", "predict", "transfer", "start",
                                                      "window", "numbers", "given", "question"}),
@@ -287,7 +287,7 @@ class LessonReader {
     if (root.find("numbers") == nullptr) {
       return;
     }
-    const ConfigNode& table = root.need_table("numbers", "the file");
+    const ConfigNode& table = root.need_table("numbers", the_file);
     for (const std::string& name : table.keys()) {
       const std::string where = fmt::format("'{}' in [numbers]", name);
       const ConfigNode& entry = table.need_table(name, "[numbers]");
@@ -307,7 +307,7 @@ class LessonReader {
     if (root.find("given") == nullptr) {
       return;
     }
-    const ConfigNode& table = root.need_table("given", "the file");
+    const ConfigNode& table = root.need_table("given", the_file);
     for (const std::string& name : table.keys()) {
       const std::string where = fmt::format("'{}' in [given]", name);
       const ConfigNode& entry = table.need_table(name, "[given]");
@@ -500,7 +500,7 @@ const std::vector<std::string>& lesson_cameras() {
 }
 
 Lesson read_lesson(const std::filesystem::path& file, const std::string& language) {
-  return LessonReader(file, language).read(read_config_file(file, "lesson"));
+  return LessonReader(file, language).read(read_config_file(file, NC_("core", "lesson")));
 }
 
 Lesson parse_lesson(const std::string& text, const std::filesystem::path& file, const std::string& language) {

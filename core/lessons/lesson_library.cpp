@@ -37,7 +37,7 @@ std::map<std::string, fs::path> files_by_id() {
   std::map<std::string, fs::path> files;
   for (const fs::path& file : shipped_lessons()) {
     files[file.stem().string()] = file;
-    const ConfigNode root = read_config_file(file, "lesson");
+    const ConfigNode root = read_config_file(file, NC_("core", "lesson"));
     if (const ConfigNode* replaces = root.find("replaces")) {
       for (const ConfigNode& earlier : replaces->items()) {
         files.emplace(earlier.text(), file);

@@ -41,7 +41,7 @@ const LoadedProgram& LessonRuns::program(const std::filesystem::path& file, cons
   });
   if (error != diagnostics.end()) {
     throw InputError(fmt::format("program '{}' of the lesson has an error on line {}: {}", file.string(),
-                                 error->line, error->message));
+                                 error->line, error->message.english()));
   }
   return programs_.emplace(key, std::move(loaded)).first->second;
 }

@@ -84,7 +84,7 @@ void TranslatedTexts::check_numbers_of(const ConfigNode& table, const std::strin
   try {
     check_numbers(text, lesson_);
   } catch (const InputError& error) {
-    table.need(key, where).fail(error.what());
+    table.need(key, where).fail(error.message());
   }
 }
 

@@ -55,37 +55,41 @@ std::string ranges_text(const std::vector<ProgramLines>& ranges) {
   return text;
 }
 
-std::string operation_problem(const Engagement& operation) {
+Message operation_problem(const Engagement& operation) {
   if (operation.radial_depth > operation.diameter) {
-    return fmt::format(
-        "ae_mm {:.6g} is larger than diameter_mm {:.6g}; a tool is engaged over its diameter at most: lower "
-        "ae_mm, {:.6g} is a full slot",
-        operation.radial_depth, operation.diameter, operation.diameter);
+    return message(NC_("core",
+                       "ae_mm {:.6g} is larger than diameter_mm {:.6g}; a tool is engaged over its diameter "
+                       "at most: lower ae_mm, {:.6g} is a full slot"),
+                   operation.radial_depth, operation.diameter, operation.diameter);
   }
   for (const ProgramLines& range : operation.lines) {
     if (range.first < 1 || range.last < range.first) {
-      return fmt::format("lines {}-{} is no range; write FIRST-LAST, counted from 1", range.first,
-                         range.last);
+      return message(NC_("core", "lines {}-{} is no range; write FIRST-LAST, counted from 1"), range.first,
+                     range.last);
     }
   }
   if (operation.least_chip && operation.max_chip && *operation.least_chip >= *operation.max_chip) {
-    return fmt::format(
-        "min_chip_um {:.6g} is not below max_chip_um {:.6g}; every chip would be out of bounds",
+    return message(
+        NC_("core", "min_chip_um {:.6g} is not below max_chip_um {:.6g}; every chip would be out of bounds"),
         units::to_um(*operation.least_chip), units::to_um(*operation.max_chip));
   }
-  return "";
+  return {};
 }
 
-std::string describe(const Engagement& operation) {
+Message describe(const Engagement& operation) {
   constexpr std::size_t most_ranges = 3;
-  std::string text = operation.tool.empty() ? "all tools" : fmt::format("tool {}", operation.tool);
-  for (std::size_t i = 0; i < std::min(most_ranges, operation.lines.size()); ++i) {
-    const ProgramLines& range = operation.lines[i];
-    text += fmt::format("{} {}-{}", i == 0 ? ", lines" : ",", range.first, range.last);
+  const std::size_t named = std::min(most_ranges, operation.lines.size());
+  if (named == 0) {
+    return operation.tool.empty() ? Message(NC_("core", "all tools"))
+                                  : message(NC_("core", "tool {}"), operation.tool);
   }
-  return operation.lines.size() > most_ranges
-             ? fmt::format("{} and {} more", text, operation.lines.size() - most_ranges)
-             : text;
+  Message lines =
+      Message::as_written(ranges_text({operation.lines.begin(), operation.lines.begin() + named}));
+  if (operation.lines.size() > named) {
+    lines = message(NC_("core", "{} and {} more"), lines, operation.lines.size() - named);
+  }
+  return operation.tool.empty() ? message(NC_("core", "all tools, lines {}"), lines)
+                                : message(NC_("core", "tool {}, lines {}"), operation.tool, lines);
 }
 
 }  // namespace feedscope

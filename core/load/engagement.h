@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
+
 namespace feedscope {
 
 /// Side of the cut: a chip begins thin with `up` (conventional), thick with `down` (climb).
@@ -56,9 +58,9 @@ std::optional<std::vector<ProgramLines>> ranges_of(std::string_view text);
 std::string ranges_text(const std::vector<ProgramLines>& ranges);
 
 /// Problem with the numbers of an operation, with advice; empty if there is none.
-std::string operation_problem(const Engagement& operation);
+Message operation_problem(const Engagement& operation);
 
 /// Name of an operation in messages and tables: "tool 1", "tool 1, lines 10 to 20", "all tools".
-std::string describe(const Engagement& operation);
+Message describe(const Engagement& operation);
 
 }  // namespace feedscope

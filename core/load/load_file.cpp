@@ -15,7 +15,7 @@
 namespace feedscope {
 namespace {
 
-constexpr const char* file_kind = "load file";
+constexpr Translatable file_kind = NC_("core", "load file");
 constexpr double format_version = 1;
 constexpr std::array<const char*, 3> linear_cutting{"ktc_n_mm2", "krc_n_mm2", "kac_n_mm2"};
 constexpr std::array<const char*, 3> linear_edge{"kte_n_mm", "kre_n_mm", "kae_n_mm"};
@@ -35,7 +35,7 @@ double number_of(const ConfigNode& table, const char* key, const std::string& wh
                  const NumberBounds& bounds, bool whole = false) {
   const ConfigNode& node = table.need(key, where);
   if (!node.is_number()) {
-    node.fail(fmt::format("{} in {} must be a number", key, where));
+    node.fail(message(NC_("core", "{} in {} must be a number"), std::string_view(key), where));
   }
   SettingSpec spec{
       .key = key,
@@ -59,7 +59,7 @@ const std::vector<ConfigNode>& tables_of(const ConfigNode& root, const std::stri
         return item.kind() == ConfigNode::Kind::table;
       });
   if (!tables) {
-    list->fail(fmt::format("'{}' must be tables; begin each with [[{}]]", key, key));
+    list->fail(message(NC_("core", "'{0}' must be tables; begin each with [[{0}]]"), std::string_view(key)));
   }
   return list->items();
 }
@@ -67,8 +67,9 @@ const std::vector<ConfigNode>& tables_of(const ConfigNode& root, const std::stri
 std::vector<ProgramLines> ranges_at(const ConfigNode& node) {
   auto ranges = node.is_text() ? ranges_of(node.text()) : std::nullopt;
   if (!ranges) {
-    node.fail(
-        "'lines' must be ranges of lines of the program in quotes, such as \"10-25\" or \"10-25, 40-52\"");
+    node.fail(NC_(
+        "core",
+        "'lines' must be ranges of lines of the program in quotes, such as \"10-25\" or \"10-25, 40-52\""));
   }
   return *std::move(ranges);
 }
@@ -83,7 +84,7 @@ std::string tool_of(const ConfigNode& node) {
     tool = fmt::format("{:.0f}", node.number());
   }
   if (tool.empty()) {
-    node.fail("'tool' must be its number, or its name in quotes, as the program calls it");
+    node.fail(NC_("core", "'tool' must be its number, or its name in quotes, as the program calls it"));
   }
   return tool;
 }
@@ -113,13 +114,14 @@ Engagement operation_of(const ConfigNode& table, const std::string& where) {
   const std::string& milling = table.need_text("milling", where);
   if (milling != "up" && milling != "down") {
     table.need("milling", where)
-        .fail(fmt::format("milling '{}' is not known; write \"up\" (conventional) or \"down\" (climb)",
-                          milling));
+        .fail(
+            message(NC_("core", "milling '{}' is not known; write \"up\" (conventional) or \"down\" (climb)"),
+                    milling));
   }
   operation.milling = milling == "up" ? Milling::up : Milling::down;
   operation.material = table.need_text("material", where);
-  if (const std::string problem = operation_problem(operation); !problem.empty()) {
-    table.fail(fmt::format("{}: {}", where, problem));
+  if (const Message problem = operation_problem(operation); !problem.empty()) {
+    table.fail(at_place(where, problem));
   }
   return operation;
 }
@@ -149,12 +151,12 @@ Material material_of(const ConfigNode& table, const std::string& where) {
     }
   } else {
     table.need("law", where)
-        .fail(fmt::format("law '{}' is not known; write \"linear-edge\" or \"kienzle\"", law));
+        .fail(message(NC_("core", "law '{}' is not known; write \"linear-edge\" or \"kienzle\""), law));
   }
   table.check_keys(keys, where);
   if (!(force_law(material).chip[0] > 0)) {
-    table.fail(fmt::format("{} has no tangential cutting force; {} must be above 0", where,
-                           law == "kienzle" ? kienzle_force : linear_cutting[0]));
+    table.fail(message(NC_("core", "{} has no tangential cutting force; {} must be above 0"), where,
+                       std::string_view(law == "kienzle" ? kienzle_force : linear_cutting[0])));
   }
   return material;
 }
@@ -166,7 +168,8 @@ std::vector<Material> materials_of(const ConfigNode& root) {
     const bool known = std::any_of(materials.begin(), materials.end(),
                                    [&](const Material& other) { return other.id == material.id; });
     if (known) {
-      table.fail(fmt::format("material '{}' is given twice; remove one or give it another id", material.id));
+      table.fail(message(NC_("core", "material '{}' is given twice; remove one or give it another id"),
+                         material.id));
     }
     materials.push_back(std::move(material));
   }
@@ -174,16 +177,17 @@ std::vector<Material> materials_of(const ConfigNode& root) {
 }
 
 void check_version(const ConfigNode& root) {
-  const double version = number_of(root, "feedscope_load", "the file", {1, 1e6}, true);
+  const double version = number_of(root, "feedscope_load", the_file, {1, 1e6}, true);
   if (version != format_version) {
-    root.need("feedscope_load", "the file")
-        .fail(fmt::format("load files of version {:.0f} are not known; this program reads version {:.0f}",
-                          version, format_version));
+    root.need("feedscope_load", the_file)
+        .fail(message(
+            NC_("core", "load files of version {:.0f} are not known; this program reads version {:.0f}"),
+            version, format_version));
   }
 }
 
 LoadSetup load_of(const ConfigNode& root, bool overlaps) {
-  root.check_keys({"feedscope_load", "operation", "material"}, "the file");
+  root.check_keys({"feedscope_load", "operation", "material"}, the_file);
   check_version(root);
   LoadSetup setup;
   setup.materials = materials_of(root);
@@ -193,16 +197,16 @@ LoadSetup load_of(const ConfigNode& root, bool overlaps) {
     try {
       find_material(setup.operations.back().material, setup.materials);
     } catch (const InputError& error) {
-      table.need("material", where).fail(error.what());
+      table.need("material", where).fail(error.message());
     }
-    if (const std::string problem = overlap_problem(setup.operations); !overlaps && !problem.empty()) {
+    if (const Message problem = overlap_problem(setup.operations); !overlaps && !problem.empty()) {
       table.fail(problem);
     }
   }
   if (setup.operations.empty()) {
-    root.fail(
-        "the file has no operation; add an [[operation]] with tool, diameter_mm, teeth, helix_deg, ae_mm, "
-        "ap_mm, milling and material");
+    root.fail(NC_("core",
+                  "the file has no operation; add an [[operation]] with tool, diameter_mm, teeth, helix_deg, "
+                  "ae_mm, ap_mm, milling and material"));
   }
   return setup;
 }
@@ -285,8 +289,8 @@ LoadSetup parse_load(const std::string& text, const std::string& name, bool over
 }
 
 std::vector<Material> read_materials(const std::filesystem::path& file) {
-  const ConfigNode root = read_config_file(file, "file of materials");
-  root.check_keys({"feedscope_load", "material"}, "the file");
+  const ConfigNode root = read_config_file(file, NC_("core", "file of materials"));
+  root.check_keys({"feedscope_load", "material"}, the_file);
   check_version(root);
   return materials_of(root);
 }
@@ -302,18 +306,18 @@ std::string load_file_text(const LoadSetup& setup) {
   return text;
 }
 
-std::string overlap_problem(const std::vector<Engagement>& operations) {
+Message overlap_problem(const std::vector<Engagement>& operations) {
   for (std::size_t i = 0; i < operations.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (overlap(operations[i], operations[j])) {
-        return fmt::format(
-            "operations {} ({}) and {} ({}) apply to the same motions; remove one, or give each its own tool "
-            "or lines",
-            j + 1, describe(operations[j]), i + 1, describe(operations[i]));
+        return message(NC_("core",
+                           "operations {} ({}) and {} ({}) apply to the same motions; remove one, or give "
+                           "each its own tool or lines"),
+                       j + 1, describe(operations[j]), i + 1, describe(operations[i]));
       }
     }
   }
-  return "";
+  return {};
 }
 
 }  // namespace feedscope

@@ -31,6 +31,6 @@ std::string load_file_text(const LoadSetup& setup);
 std::vector<Material> read_materials(const std::filesystem::path& file);
 
 /// Two operations for the same tool and lines, with advice; empty if there are none.
-std::string overlap_problem(const std::vector<Engagement>& operations);
+Message overlap_problem(const std::vector<Engagement>& operations);
 
 }  // namespace feedscope

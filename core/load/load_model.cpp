@@ -16,24 +16,26 @@ void check_tool(const Engagement& operation, const std::vector<std::string>& use
     return;
   }
   if (used.empty()) {
-    throw InputError(
-        fmt::format("the load file has an operation for tool {}, but the program changes to no tool; omit "
-                    "'tool', so that the operation applies to all motions",
-                    operation.tool));
+    throw InputError(message(NC_("core",
+                                 "the load file has an operation for tool {}, but the program changes to no "
+                                 "tool; omit 'tool', so that the operation applies to all motions"),
+                             operation.tool));
   }
   const std::string nearest = nearest_name(operation.tool, used);
-  throw InputError(fmt::format(
-      "the load file has an operation for tool {}, which the program never changes to; {}", operation.tool,
-      nearest.empty() ? fmt::format("its tools are {}", fmt::join(used, ", "))
-                      : fmt::format("did you mean tool {}?", nearest)));
+  throw InputError(message(
+      NC_("core", "the load file has an operation for tool {}, which the program never changes to; {}"),
+      operation.tool,
+      nearest.empty() ? message(NC_("core", "its tools are {}"), fmt::to_string(fmt::join(used, ", ")))
+                      : message(NC_("core", "did you mean tool {}?"), nearest)));
 }
 
 void check_lines(const Engagement& operation, std::uint32_t line_count) {
   for (const ProgramLines& range : operation.lines) {
     if (range.last > line_count) {
-      throw InputError(fmt::format(
-          "the load file has an operation for lines {}-{}, but the program has {} lines; correct the range",
-          range.first, range.last, line_count));
+      throw InputError(message(NC_("core",
+                                   "the load file has an operation for lines {}-{}, but the program has {} "
+                                   "lines; correct the range"),
+                               range.first, range.last, line_count));
     }
   }
 }
@@ -42,7 +44,7 @@ void check_lines(const Engagement& operation, std::uint32_t line_count) {
 
 LoadModel::LoadModel(LoadSetup setup, const Program& program, const Toolpath& toolpath)
     : setup_(std::move(setup)), spindles_(toolpath.spindles) {
-  if (const std::string problem = overlap_problem(setup_.operations); !problem.empty()) {
+  if (const Message problem = overlap_problem(setup_.operations); !problem.empty()) {
     throw InputError(problem);
   }
   std::vector<std::string> used;
@@ -56,8 +58,8 @@ LoadModel::LoadModel(LoadSetup setup, const Program& program, const Toolpath& to
   for (const Engagement& operation : setup_.operations) {
     check_tool(operation, used);
     check_lines(operation, program.source->line_count());
-    if (const std::string problem = operation_problem(operation); !problem.empty()) {
-      throw InputError(fmt::format("operation of {}: {}", describe(operation), problem));
+    if (const Message problem = operation_problem(operation); !problem.empty()) {
+      throw InputError(message(NC_("core", "operation of {}: {}"), describe(operation), problem));
     }
     Material material = find_material(operation.material, setup_.materials);
     operations_.push_back({operation, material, CuttingForce(operation, material)});

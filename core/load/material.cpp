@@ -1,7 +1,5 @@
 #include "core/load/material.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "core/base/data_folder.h"
@@ -38,10 +36,10 @@ Material find_material(const std::string& id, const std::vector<Material>& own) 
     }
   }
   const std::string nearest = nearest_name(id, known);
-  throw InputError(fmt::format("material '{}' is not known; {}, or add a [[material]] with its coefficients",
-                               id,
-                               nearest.empty() ? fmt::format("use one such as '{}'", known.front())
-                                               : fmt::format("did you mean '{}'?", nearest)));
+  throw InputError(
+      message(NC_("core", "material '{}' is not known; {}, or add a [[material]] with its coefficients"), id,
+              nearest.empty() ? message(NC_("core", "use one such as '{}'"), known.front())
+                              : message(NC_("core", "did you mean '{}'?"), nearest)));
 }
 
 }  // namespace feedscope

@@ -1,7 +1,5 @@
 #include "core/machine/axis_drive.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -101,19 +99,19 @@ void set_drive_value(AxisDrive& drive, std::size_t i, const SettingValue& value)
       number != nullptr ? std::optional(field.conversion.to_internal(*number)) : std::nullopt;
 }
 
-std::string drive_problem(const AxisDrive& drive, char axis) {
+Message drive_problem(const AxisDrive& drive, char axis) {
   const bool has_others = drive.feedforward || drive.lag || drive.backlash || drive.backlash_compensation ||
                           drive.friction_spike || drive.friction_time;
   if (drive.follows_exactly() && has_others) {
-    return fmt::format(
-        "axis {} has values of a drive but no position gain; give {}.kv in 1/s, or remove the "
-        "others",
+    return message(
+        NC_("core",
+            "axis {} has values of a drive but no position gain; give {}.kv in 1/s, or remove the others"),
         axis, axis);
   }
   if (drive.friction_spike.value_or(0) > 0 && !drive.friction_time) {
-    return fmt::format(
-        "axis {} has a friction spike but no time in which it decays; give {}.friction_time "
-        "in ms",
+    return message(
+        NC_("core",
+            "axis {} has a friction spike but no time in which it decays; give {}.friction_time in ms"),
         axis, axis);
   }
   return {};

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/machine/settings.h"
 
 namespace feedscope {
@@ -38,7 +39,7 @@ void set_drive_value(AxisDrive& drive, std::size_t i, const SettingValue& value)
 
 /// Problem of a drive as a whole, with advice: other values without a gain, a friction spike without its
 /// time. Empty if there is none.
-std::string drive_problem(const AxisDrive& drive, char axis);
+Message drive_problem(const AxisDrive& drive, char axis);
 
 /// Overshoot at a step of the set value, as a share of the step: that of a loop without feed-forward, exp(-pi
 /// d/sqrt(1 - d^2)) with the damping d = 1/(2 sqrt(Kv Tv)); 0 if it is damped well enough.

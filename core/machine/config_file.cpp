@@ -60,6 +60,14 @@ class ConfigBuilder {
   std::shared_ptr<const std::string> file_;
 };
 
+namespace {
+
+Message table_text(const std::string& where) {
+  return where.empty() ? Message(NC_("core", "the file")) : Message::as_written(where);
+}
+
+}  // namespace
+
 std::string ConfigNode::place(const Position& position) const {
   return fmt::format("{}:{}:{}", *file_, position.line, position.column);
 }
@@ -68,8 +76,8 @@ std::string ConfigNode::place() const {
   return place(position_);
 }
 
-void ConfigNode::fail(const std::string& message) const {
-  throw InputError(fmt::format("{}: {}", place(), message));
+void ConfigNode::fail(const Message& what) const {
+  throw InputError(at_place(place(), what));
 }
 
 const ConfigNode* ConfigNode::find(const std::string& key) const {
@@ -81,10 +89,11 @@ void ConfigNode::check_keys(const std::vector<std::string>& known, const std::st
   for (std::size_t i = 0; i < keys_.size(); ++i) {
     if (std::find(known.begin(), known.end(), keys_[i]) == known.end()) {
       const std::string nearest = nearest_name(keys_[i], known);
-      throw InputError(fmt::format("{}: unknown key '{}' in {}; {}", place(key_positions_[i]), keys_[i],
-                                   where,
-                                   nearest.empty() ? fmt::format("known: {}", fmt::join(known, ", "))
-                                                   : fmt::format("did you mean '{}'?", nearest)));
+      const Message known_ones =
+          nearest.empty() ? message(NC_("core", "known: {}"), fmt::to_string(fmt::join(known, ", ")))
+                          : message(NC_("core", "did you mean '{}'?"), nearest);
+      throw InputError(at_place(place(key_positions_[i]), message(NC_("core", "unknown key '{}' in {}; {}"),
+                                                                  keys_[i], table_text(where), known_ones)));
     }
   }
 }
@@ -92,7 +101,7 @@ void ConfigNode::check_keys(const std::vector<std::string>& known, const std::st
 const ConfigNode& ConfigNode::need(const std::string& key, const std::string& where) const {
   const ConfigNode* node = find(key);
   if (node == nullptr) {
-    fail(fmt::format("key '{}' is missing in {}", key, where));
+    fail(message(NC_("core", "key '{}' is missing in {}"), key, table_text(where)));
   }
   return *node;
 }
@@ -100,7 +109,7 @@ const ConfigNode& ConfigNode::need(const std::string& key, const std::string& wh
 const ConfigNode& ConfigNode::need_table(const std::string& key, const std::string& where) const {
   const ConfigNode& node = need(key, where);
   if (node.kind() != Kind::table) {
-    node.fail(fmt::format("'{}' in {} must be a table", key, where));
+    node.fail(message(NC_("core", "'{}' in {} must be a table"), key, table_text(where)));
   }
   return node;
 }
@@ -108,12 +117,12 @@ const ConfigNode& ConfigNode::need_table(const std::string& key, const std::stri
 const std::string& ConfigNode::need_text(const std::string& key, const std::string& where) const {
   const ConfigNode& node = need(key, where);
   if (!node.is_text() || node.text().empty()) {
-    node.fail(fmt::format("'{}' in {} must be a text in quotes", key, where));
+    node.fail(message(NC_("core", "'{}' in {} must be a text in quotes"), key, table_text(where)));
   }
   return node.text();
 }
 
-ConfigNode read_config_file(const fs::path& file, const std::string& what) {
+ConfigNode read_config_file(const fs::path& file, Translatable what) {
   return parse_config(file_text(file, what, largest_file), file.string());
 }
 
@@ -122,8 +131,8 @@ ConfigNode parse_config(const std::string& text, const std::string& name) {
     return ConfigBuilder(std::make_shared<const std::string>(name)).build(toml::parse(text, name));
   } catch (const toml::parse_error& error) {
     const auto& begin = error.source().begin;
-    throw InputError(
-        fmt::format("{}:{}:{}: not valid TOML: {}", name, begin.line, begin.column, error.description()));
+    throw InputError(at_place(fmt::format("{}:{}:{}", name, begin.line, begin.column),
+                              message(NC_("core", "not valid TOML: {}"), error.description())));
   }
 }
 

@@ -6,10 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
+
 namespace feedscope {
 
+/// `where` of keys outside every table.
+inline constexpr const char* the_file = "";
+
 /// A value of a TOML file with its place, for precise error messages. `where` in the functions below names
-/// the table in messages: "[axes.X]", "the file".
+/// the table in messages: "[axes.X]", the_file.
 class ConfigNode {
  public:
   enum class Kind : std::uint8_t { text, number, truth, list, table, other };
@@ -25,7 +30,8 @@ class ConfigNode {
 
   std::string place() const;  ///< "FILE:LINE:COLUMN"
   /// Throws InputError that begins with the place.
-  [[noreturn]] void fail(const std::string& message) const;
+  [[noreturn]] void fail(const Message& what) const;
+  [[noreturn]] void fail(const std::string& text) const { fail(Message::as_written(text)); }
 
   /// Value of a key, nullptr if this table has none.
   const ConfigNode* find(const std::string& key) const;
@@ -57,7 +63,7 @@ class ConfigNode {
 
 /// Reads a TOML file of at most 1 MiB. `what` for messages: "machine file". Throws InputError with file and
 /// reason, for wrong syntax also line and column.
-ConfigNode read_config_file(const std::filesystem::path& file, const std::string& what);
+ConfigNode read_config_file(const std::filesystem::path& file, Translatable what);
 /// Reads a text; `name` replaces the file in messages.
 ConfigNode parse_config(const std::string& text, const std::string& name);
 

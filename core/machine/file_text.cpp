@@ -1,7 +1,5 @@
 #include "core/machine/file_text.h"
 
-#include <fmt/format.h>
-
 #include <cerrno>
 #include <fstream>
 #include <system_error>
@@ -10,15 +8,15 @@
 
 namespace feedscope {
 
-std::string file_text(const std::filesystem::path& file, const std::string& what, std::size_t largest) {
+std::string file_text(const std::filesystem::path& file, Translatable what, std::size_t largest) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) {
-    throw InputError(fmt::format("'{}' is a folder; give a {}", file.string(), what));
+    throw InputError(message(NC_("core", "'{}' is a folder; give a {}"), file.string(), what));
   }
   std::ifstream in(file, std::ios::binary);
   if (!in) {
-    throw InputError(
-        fmt::format("cannot read {} '{}': {}", what, file.string(), std::generic_category().message(errno)));
+    throw InputError(message(NC_("core", "cannot read {} '{}': {}"), what, file.string(),
+                             reason_of(std::error_code(errno, std::generic_category()))));
   }
   const std::size_t most = largest << 20;
   std::string text(most + 1, '\0');
@@ -26,7 +24,7 @@ std::string file_text(const std::filesystem::path& file, const std::string& what
   const auto size = static_cast<std::size_t>(in.gcount());
   if (size > most) {
     throw InputError(
-        fmt::format("'{}' is larger than {} MiB and cannot be a {}", file.string(), largest, what));
+        message(NC_("core", "'{}' is larger than {} MiB and cannot be a {}"), file.string(), largest, what));
   }
   text.resize(size);
   return text;

@@ -101,8 +101,8 @@ TypedNumber typed_in_unit(std::string_view text, std::string_view unit) {
   const std::vector<std::string_view> known = names_of_units(unit);
   const std::string_view other = unit_behind(text);
   if (!plain.value && plain.problem.empty() && !known.empty() && !other.empty()) {
-    plain.problem =
-        fmt::format("unknown unit '{}'; write the number in one of: {}", other, fmt::join(known, ", "));
+    plain.problem = message(NC_("core", "unknown unit '{}'; write the number in one of: {}"), other,
+                            fmt::to_string(fmt::join(known, ", ")));
   }
   return plain;
 }

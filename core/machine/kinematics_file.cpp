@@ -55,7 +55,7 @@ Vec3 read_place(const ConfigNode& table, const char* key, const std::array<const
 
 std::vector<std::string> rotary_tables(const ConfigNode& root) {
   std::vector<std::string> names;
-  for (const std::string& key : root.need_table("axes", "the file").keys()) {
+  for (const std::string& key : root.need_table("axes", the_file).keys()) {
     if (key.size() == 1 && rotary_names.find(key[0]) != std::string_view::npos) {
       names.push_back(key);
     }
@@ -67,22 +67,22 @@ void read_kinematics(const ConfigNode& root, Machine& machine) {
   const std::vector<std::string> names = rotary_tables(root);
   if (root.find("kinematics") == nullptr) {
     if (!names.empty()) {
-      root.need_table("axes", "the file")
+      root.need_table("axes", the_file)
           .need_table(names.front(), "[axes]")
-          .fail(
-              fmt::format("axis {} is a rotary axis, and the file does not say where it is; add [kinematics] "
-                          "with its chain, and {} with direction and point",
-                          names.front(), table_name(names.front()[0])));
+          .fail(message(NC_("core",
+                            "axis {} is a rotary axis, and the file does not say where it is; add "
+                            "[kinematics] with its chain, and {} with direction and point"),
+                        names.front(), table_name(names.front()[0])));
     }
     return;
   }
-  const ConfigNode& table = root.need_table("kinematics", "the file");
+  const ConfigNode& table = root.need_table("kinematics", the_file);
   std::vector<std::string> keys{"chain", tool_length_key};
   keys.insert(keys.end(), names.begin(), names.end());
   for (const std::string& key : table.keys()) {
     if (key.size() == 1 && rotary_names.find(key[0]) != std::string_view::npos &&
         std::ranges::find(names, key) == names.end()) {
-      table.fail(fmt::format("{} has no limits; add [axes.{}]", table_name(key[0]), key));
+      table.fail(message(NC_("core", "{} has no limits; add [axes.{}]"), table_name(key[0]), key));
     }
   }
   table.check_keys(keys, "[kinematics]");
@@ -90,7 +90,7 @@ void read_kinematics(const ConfigNode& root, Machine& machine) {
   for (const std::string& name : names) {
     const char letter = name[0];
     RotaryAxis axis =
-        read_limits(root.need_table("axes", "the file").need_table(name, "[axes]"), letter, machine);
+        read_limits(root.need_table("axes", the_file).need_table(name, "[axes]"), letter, machine);
     const ConfigNode& own = table.need_table(name, "[kinematics]");
     own.check_keys({"direction", "point"}, table_name(letter));
     axis.direction = read_place(own, "direction", direction_keys, letter, machine);
@@ -109,7 +109,7 @@ void read_kinematics(const ConfigNode& root, Machine& machine) {
   try {
     chain_of(kinematics);
   } catch (const InputError& error) {
-    chain.fail(error.what());
+    chain.fail(error.message());
   }
 }
 

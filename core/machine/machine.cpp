@@ -31,18 +31,18 @@ constexpr std::array<LimitField, 4> limit_fields{{
 }};
 
 /// Axes as text: "X, Y and Z".
-std::string list_of(std::string_view axes) {
-  std::string list;
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    list += i == 0 ? "" : i + 1 == axes.size() ? " and " : ", ";
-    list += axes[i];
+Message list_of(std::string_view axes) {
+  std::vector<Message> names;
+  for (const char axis : axes) {
+    names.push_back(Message::as_written(std::string(1, axis)));
   }
-  return list;
+  return listed(names);
 }
 
 void check_axis(const Machine& machine, char axis) {
   if (!machine.axes.axes().find(axis) && machine.kinematics.find(axis) == nullptr) {
-    throw InputError(fmt::format("unknown axis '{}'; the axes are {}", axis, list_of(axis_names(machine))));
+    throw InputError(
+        message(NC_("core", "unknown axis '{}'; the axes are {}"), axis, list_of(axis_names(machine))));
   }
 }
 
@@ -55,9 +55,10 @@ std::size_t place_of(const std::vector<SettingSpec>& specs, char axis, std::stri
   const auto found = std::find(keys.begin(), keys.end(), key);
   if (found == keys.end()) {
     const std::string nearest = nearest_name(key, keys);
-    throw InputError(fmt::format("unknown limit '{}' of axis {}; {}", key, axis,
-                                 nearest.empty() ? fmt::format("the limits are {}", fmt::join(keys, ", "))
-                                                 : fmt::format("did you mean '{}'?", nearest)));
+    throw InputError(message(
+        NC_("core", "unknown limit '{}' of axis {}; {}"), key, axis,
+        nearest.empty() ? message(NC_("core", "the limits are {}"), fmt::to_string(fmt::join(keys, ", ")))
+                        : message(NC_("core", "did you mean '{}'?"), nearest)));
   }
   return static_cast<std::size_t>(found - keys.begin());
 }
@@ -217,9 +218,9 @@ void set_axis_value(Machine& machine, char axis, std::string_view key, const Set
 
 void check_drives(const Machine& machine) {
   for (std::size_t i = 0; i < machine.drives.size(); ++i) {
-    const std::string problem = drive_problem(machine.drives[i], machine.drives.name(i));
+    const Message problem = drive_problem(machine.drives[i], machine.drives.name(i));
     if (!problem.empty()) {
-      throw InputError(fmt::format("machine '{}': {}", machine.id, problem));
+      throw InputError(message(NC_("core", "machine '{}': {}"), machine.id, problem));
     }
   }
 }

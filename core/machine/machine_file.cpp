@@ -31,14 +31,14 @@ class MachineReader {
   Machine read(const ConfigNode& root) {
     root.check_keys(
         {"id", "name", "control", "reference", "model", "axes", "settings", "work_offsets", "kinematics"},
-        "the file");
-    machine_.id = root.need_text("id", "the file");
-    machine_.name = root.need_text("name", "the file");
-    machine_.control = root.need_text("control", "the file");
-    machine_.reference = root.need_text("reference", "the file");
-    machine_.model = root.need_text("model", "the file");
+        the_file);
+    machine_.id = root.need_text("id", the_file);
+    machine_.name = root.need_text("name", the_file);
+    machine_.control = root.need_text("control", the_file);
+    machine_.reference = root.need_text("reference", the_file);
+    machine_.model = root.need_text("model", the_file);
     if (model_) {
-      check_setting(*model_, machine_.model, root.need("model", "the file").place());
+      check_setting(*model_, machine_.model, root.need("model", the_file).place());
     }
     read_axes(root);
     read_settings(root);
@@ -55,7 +55,7 @@ class MachineReader {
   }
 
   void read_axes(const ConfigNode& root) {
-    const ConfigNode& axes = root.need_table("axes", "the file");
+    const ConfigNode& axes = root.need_table("axes", the_file);
     std::vector<std::string> names;
     for (const AxisInfo& axis : known_axes) {
       names.emplace_back(1, axis.name);
@@ -83,7 +83,7 @@ class MachineReader {
         set_axis_value(machine_, axis, known.key, number);
         machine_.provenance[provenance_key] = provenance;
       }
-      const std::string problem = drive_problem(*machine_.drives.find(axis), axis);
+      const Message problem = drive_problem(*machine_.drives.find(axis), axis);
       if (!problem.empty()) {
         table.fail(problem);
       }
@@ -91,7 +91,7 @@ class MachineReader {
   }
 
   void read_settings(const ConfigNode& root) {
-    const ConfigNode& table = root.need_table("settings", "the file");
+    const ConfigNode& table = root.need_table("settings", the_file);
     std::vector<std::string> keys;
     for (const SettingSpec& spec : settings_) {
       keys.push_back(spec.key);
@@ -109,18 +109,18 @@ class MachineReader {
     if (root.find("work_offsets") == nullptr) {
       return;
     }
-    const ConfigNode& table = root.need_table("work_offsets", "the file");
+    const ConfigNode& table = root.need_table("work_offsets", the_file);
     for (const std::string& key : table.keys()) {
       const ConfigNode& entry = table.need_table(key, "[work_offsets]");
       const std::string name = fmt::format("'{}' in [work_offsets]", key);
       if (WorkOffsets::key(key).empty()) {
-        entry.fail(
-            fmt::format("{} is not a work offset; write it as programs name it, such as G55, "
-                        "\"G54.1 P3\" or G505",
-                        name));
+        entry.fail(message(
+            NC_("core",
+                "{} is not a work offset; write it as programs name it, such as G55, \"G54.1 P3\" or G505"),
+            name));
       }
       if (machine_.work_offsets.all().contains(WorkOffsets::key(key))) {
-        entry.fail(fmt::format("{} is given twice; remove one", name));
+        entry.fail(message(NC_("core", "{} is given twice; remove one"), name));
       }
       entry.check_keys({"x_mm", "y_mm", "z_mm", "source", "assumed"}, name);
       machine_.provenance[WorkOffsets::key(key)] = read_provenance(entry, name);
@@ -142,7 +142,7 @@ std::string file_key(const SettingSpec& spec) {
 }
 
 Machine read_machine(const std::filesystem::path& file, const std::vector<SettingSpec>& model_settings) {
-  return MachineReader(model_settings).read(read_config_file(file, "machine file"));
+  return MachineReader(model_settings).read(read_config_file(file, NC_("core", "machine file")));
 }
 
 Machine parse_machine(const std::string& text, const std::string& name,

@@ -19,7 +19,8 @@ MachineLibrary::MachineLibrary(fs::path folder, std::vector<SettingSpec> model_s
     }
   }
   if (error) {
-    throw InputError(fmt::format("cannot read machine folder '{}': {}", folder_.string(), error.message()));
+    throw InputError(
+        message(NC_("core", "cannot read machine folder '{}': {}"), folder_.string(), reason_of(error)));
   }
   std::sort(ids_.begin(), ids_.end());
 }
@@ -33,9 +34,10 @@ Machine MachineLibrary::load(const std::string& id_or_file) const {
     return read_machine(id_or_file, model_settings_);
   }
   const std::string nearest = nearest_name(id_or_file, ids_);
-  throw InputError(fmt::format("unknown machine '{}': neither a machine id nor a file; {}", id_or_file,
-                               nearest.empty() ? fmt::format("ids: {}", fmt::join(ids_, ", "))
-                                               : fmt::format("did you mean '{}'?", nearest)));
+  throw InputError(
+      message(NC_("core", "unknown machine '{}': neither a machine id nor a file; {}"), id_or_file,
+              nearest.empty() ? message(NC_("core", "ids: {}"), fmt::to_string(fmt::join(ids_, ", ")))
+                              : message(NC_("core", "did you mean '{}'?"), nearest)));
 }
 
 }  // namespace feedscope

@@ -41,12 +41,12 @@ SettingSpec travel_spec(std::string key, std::string title, std::string explanat
   return spec;
 }
 
-[[noreturn]] void refuse_chain(const std::string& chain, const std::string& what) {
-  throw InputError(fmt::format(
-      "the chain '{}' {}; name X, Y, Z and the rotary axes once each from the part to the tool, with the "
-      "word "
-      "frame between those that carry the part and those that carry the tool, as in \"C A Y frame X Z\"",
-      chain, what));
+[[noreturn]] void refuse_chain(const std::string& chain, const Message& what) {
+  throw InputError(message(NC_("core",
+                               "the chain '{}' {}; name X, Y, Z and the rotary axes once each from the part "
+                               "to the tool, with the word frame between those that carry the part and those "
+                               "that carry the tool, as in \"C A Y frame X Z\""),
+                           chain, what));
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ KinematicChain chain_of(const MachineKinematics& kinematics) {
   for (std::string word; words >> word;) {
     if (word == frame_word) {
       if (!carries_part) {
-        refuse_chain(kinematics.chain, "has the word frame twice");
+        refuse_chain(kinematics.chain, NC_("core", "has the word frame twice"));
       }
       carries_part = false;
       continue;
@@ -71,10 +71,11 @@ KinematicChain chain_of(const MachineKinematics& kinematics) {
     const auto linear = std::ranges::find(coordinate_names, word[0]);
     const RotaryAxis* rotary = kinematics.find(word[0]);
     if (word.size() != 1 || (linear == coordinate_names.end() && rotary == nullptr)) {
-      refuse_chain(kinematics.chain, fmt::format("has '{}', which is no axis of this machine", word));
+      refuse_chain(kinematics.chain,
+                   message(NC_("core", "has '{}', which is no axis of this machine"), word));
     }
     if (std::ranges::find(axes, word[0], &ChainAxis::name) != axes.end()) {
-      refuse_chain(kinematics.chain, fmt::format("has {} twice", word));
+      refuse_chain(kinematics.chain, message(NC_("core", "has {} twice"), word));
     }
     // ISO 841: the coordinate grows as the tool moves along the axis, or turns about it, against the part.
     const double sense = carries_part ? -1 : 1;
@@ -87,9 +88,9 @@ KinematicChain chain_of(const MachineKinematics& kinematics) {
       axis.rotary = true;
       axis.direction = sense * rotary->direction;
       if (rotary->minimum && rotary->maximum && !(*rotary->minimum < *rotary->maximum)) {
-        throw InputError(fmt::format("the travel of axis {} is empty, from {:g} to {:g} degrees",
-                                     rotary->name, units::to_deg(*rotary->minimum),
-                                     units::to_deg(*rotary->maximum)));
+        throw InputError(message(NC_("core", "the travel of axis {} is empty, from {:g} to {:g} degrees"),
+                                 rotary->name, units::to_deg(*rotary->minimum),
+                                 units::to_deg(*rotary->maximum)));
       }
       axis.point = rotary->point;
       axis.least = rotary->minimum.value_or(axis.least);
@@ -98,11 +99,11 @@ KinematicChain chain_of(const MachineKinematics& kinematics) {
     axes.push_back(axis);
   }
   if (carries_part) {
-    refuse_chain(kinematics.chain, "lacks the word frame");
+    refuse_chain(kinematics.chain, NC_("core", "lacks the word frame"));
   }
   for (const RotaryAxis& axis : kinematics.rotary) {
     if (std::ranges::find(axes, axis.name, &ChainAxis::name) == axes.end()) {
-      refuse_chain(kinematics.chain, fmt::format("lacks axis {}", axis.name));
+      refuse_chain(kinematics.chain, message(NC_("core", "lacks axis {}"), axis.name));
     }
   }
   return KinematicChain(std::move(axes), Vec3::Zero(), Vec3::UnitZ());

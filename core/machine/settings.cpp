@@ -16,11 +16,6 @@
 namespace feedscope {
 namespace {
 
-std::string with_axis(std::string_view title, char axis) {
-  std::string filled(title);
-  return filled.replace(filled.find("%1"), 2, 1, axis);
-}
-
 SettingSpec number_spec(std::string key, std::string title, std::string unit, double fallback,
                         std::string explanation) {
   SettingSpec spec;
@@ -148,32 +143,40 @@ std::vector<SettingSpec> make_machine_settings() {
     spec.maximum = longest_time;
   }
   struct Position {
-    std::string_view key, title, explanation;
+    std::string_view key;
+    std::array<const char*, 3> titles;  // of X, Y and Z
+    std::string_view explanation;
   };
   constexpr std::array positions{
       Position{
-          "home", QT_TRANSLATE_NOOP("core", "Home position %1"),
+          "home",
+          {QT_TRANSLATE_NOOP("core", "Home position X"), QT_TRANSLATE_NOOP("core", "Home position Y"),
+           QT_TRANSLATE_NOOP("core", "Home position Z")},
           QT_TRANSLATE_NOOP(
               "core",
               "Machine coordinate of the reference point that G28 and G74 move to; without it such a move is "
               "neither drawn nor timed.")},
-      Position{"tool_change", QT_TRANSLATE_NOOP("core", "Tool change position %1"),
+      Position{"tool_change",
+               {QT_TRANSLATE_NOOP("core", "Tool change position X"),
+                QT_TRANSLATE_NOOP("core", "Tool change position Y"),
+                QT_TRANSLATE_NOOP("core", "Tool change position Z")},
                QT_TRANSLATE_NOOP("core",
                                  "Machine coordinate of the position that G30 and G75 move to; without it "
                                  "such a move is neither "
                                  "drawn nor timed.")},
       Position{
-          "part_zero", QT_TRANSLATE_NOOP("core", "Part zero %1"),
+          "part_zero",
+          {QT_TRANSLATE_NOOP("core", "Part zero X"), QT_TRANSLATE_NOOP("core", "Part zero Y"),
+           QT_TRANSLATE_NOOP("core", "Part zero Z")},
           QT_TRANSLATE_NOOP(
               "core",
               "Machine coordinate of the zero point of the coordinates shown, 0 where work offsets are given "
               "in machine coordinates; without it moves to machine positions are neither drawn nor timed.")},
   };
   for (const Position& position : positions) {
-    for (const char axis : {'X', 'Y', 'Z'}) {
-      SettingSpec spec =
-          optional_spec(fmt::format("{}_{}_mm", position.key, static_cast<char>(axis - 'X' + 'x')),
-                        with_axis(position.title, axis), "mm", std::string(position.explanation));
+    for (std::size_t axis = 0; axis < position.titles.size(); ++axis) {
+      SettingSpec spec = optional_spec(fmt::format("{}_{}_mm", position.key, "xyz"[axis]),
+                                       position.titles[axis], "mm", std::string(position.explanation));
       spec.minimum = -farthest;
       spec.maximum = farthest;
       specs.push_back(std::move(spec));
@@ -188,9 +191,12 @@ std::vector<SettingSpec> make_machine_settings() {
   override.fallback = 100;
   override.maximum = 1000;
   specs.push_back(std::move(override));
-  for (const char axis : {'X', 'Y', 'Z'}) {
+  constexpr std::array cutting_feeds{QT_TRANSLATE_NOOP("core", "Cutting feed X"),
+                                     QT_TRANSLATE_NOOP("core", "Cutting feed Y"),
+                                     QT_TRANSLATE_NOOP("core", "Cutting feed Z")};
+  for (std::size_t axis = 0; axis < cutting_feeds.size(); ++axis) {
     SettingSpec spec = optional_spec(
-        cutting_feed_key(axis - 'X'), with_axis(QT_TRANSLATE_NOOP("core", "Cutting feed %1"), axis), "m/min",
+        cutting_feed_key(static_cast<int>(axis)), cutting_feeds[axis], "m/min",
         QT_TRANSLATE_NOOP("core",
                           "Largest velocity of this axis in feed moves, where the control has one below that "
                           "of its rapids; without it, or 0, the velocity of the axis."));
@@ -213,10 +219,12 @@ std::vector<SettingSpec> make_machine_settings() {
   orientation.fallback = usual_orientation_tolerance_deg;
   orientation.maximum = 10;
   specs.push_back(std::move(orientation));
-  for (const char axis : {'X', 'Y', 'Z'}) {
+  constexpr std::array part_angles{QT_TRANSLATE_NOOP("core", "Angle of the part about X"),
+                                   QT_TRANSLATE_NOOP("core", "Angle of the part about Y"),
+                                   QT_TRANSLATE_NOOP("core", "Angle of the part about Z")};
+  for (std::size_t axis = 0; axis < part_angles.size(); ++axis) {
     SettingSpec spec = optional_spec(
-        fmt::format("part_angle_{}_deg", static_cast<char>(axis - 'X' + 'x')),
-        with_axis(QT_TRANSLATE_NOOP("core", "Angle of the part about %1"), axis), "deg",
+        fmt::format("part_angle_{}_deg", "xyz"[axis]), part_angles[axis], "deg",
         QT_TRANSLATE_NOOP(
             "core",
             "How the part is turned in the clamping, about X, then Y, then Z, against how the "
@@ -228,27 +236,29 @@ std::vector<SettingSpec> make_machine_settings() {
   return specs;
 }
 
-std::string with_unit(double value, const SettingSpec& spec) {
-  return spec.unit.empty() ? plain_text(value) : fmt::format("{} {}", plain_text(value), spec.unit);
-}
-
 /// Bounds as text: "above 0 s and at most 1 s"; "0, or at least 0.000001 mm and at most 10 mm".
-std::string bounds_text(const SettingSpec& spec) {
+Message bounds_text(const SettingSpec& spec) {
+  const auto bound = [&](double value) {
+    const Message digits = Message::number(plain_text(value));
+    return spec.unit.empty() ? digits : message(NC_("core", "{} {}"), digits, spec.unit);
+  };
+  const bool has_most = std::isfinite(spec.maximum);
   if (!std::isfinite(spec.minimum)) {
-    return std::isfinite(spec.maximum) ? fmt::format("at most {}", with_unit(spec.maximum, spec)) : "finite";
+    return has_most ? message(NC_("core", "at most {}"), bound(spec.maximum))
+                    : Message(NC_("core", "finite"));
   }
-  std::string text =
-      spec.least_above_zero > 0
-          ? fmt::format("0, or at least {}", with_unit(spec.least_above_zero, spec))
-          : fmt::format("{} {}", spec.minimum_allowed ? "at least" : "above", with_unit(spec.minimum, spec));
-  if (std::isfinite(spec.maximum)) {
-    text += fmt::format(" and at most {}", with_unit(spec.maximum, spec));
+  Message text = spec.least_above_zero > 0
+                     ? message(NC_("core", "0, or at least {}"), bound(spec.least_above_zero))
+                 : spec.minimum_allowed ? message(NC_("core", "at least {}"), bound(spec.minimum))
+                                        : message(NC_("core", "above {}"), bound(spec.minimum));
+  if (has_most) {
+    text = message(NC_("core", "{} and at most {}"), text, bound(spec.maximum));
   }
-  return spec.whole ? "a whole number " + text : text;
+  return spec.whole ? message(NC_("core", "a whole number {}"), text) : text;
 }
 
-std::string in_front(std::string_view place) {
-  return place.empty() ? "" : fmt::format("{}: ", place);
+[[noreturn]] void refuse(std::string_view place, const Message& why) {
+  throw InputError(place.empty() ? why : at_place(std::string(place), why));
 }
 
 }  // namespace
@@ -270,12 +280,12 @@ bool Settings::has(std::string_view key) const {
 double Settings::number(std::string_view key) const {
   const auto found = values_.find(key);
   if (found == values_.end()) {
-    throw InputError(fmt::format("setting '{}' has no value", key));
+    throw InputError(message(NC_("core", "setting '{}' has no value"), key));
   }
   const double* number = std::get_if<double>(&found->second);
   if (number == nullptr) {
-    throw InputError(fmt::format("setting '{}' is the text '{}', not a number", key,
-                                 std::get<std::string>(found->second)));
+    throw InputError(message(NC_("core", "setting '{}' is the text '{}', not a number"), key,
+                             std::get<std::string>(found->second)));
   }
   return *number;
 }
@@ -283,12 +293,12 @@ double Settings::number(std::string_view key) const {
 const std::string& Settings::text(std::string_view key) const {
   const auto found = values_.find(key);
   if (found == values_.end()) {
-    throw InputError(fmt::format("setting '{}' has no value", key));
+    throw InputError(message(NC_("core", "setting '{}' has no value"), key));
   }
   const std::string* text = std::get_if<std::string>(&found->second);
   if (text == nullptr) {
-    throw InputError(
-        fmt::format("setting '{}' is the number {}, not a text", key, std::get<double>(found->second)));
+    throw InputError(message(NC_("core", "setting '{}' is the number {}, not a text"), key,
+                             std::get<double>(found->second)));
   }
   return *text;
 }
@@ -319,9 +329,10 @@ SettingValue parse_setting(const SettingSpec& spec, std::string_view text) {
   if (spec.choices.empty() && !(spec.optional && text.empty())) {
     const TypedNumber number = typed_in_unit(text, spec.unit);
     if (!number.value) {
-      throw InputError(number.problem.empty() ? fmt::format("{} = '{}' is not a number; it must be {}",
-                                                            spec.key, text, bounds_text(spec))
-                                              : fmt::format("{} = '{}': {}", spec.key, text, number.problem));
+      throw InputError(number.problem.empty()
+                           ? message(NC_("core", "{} = '{}' is not a number; it must be {}"), spec.key, text,
+                                     bounds_text(spec))
+                           : message(NC_("core", "{} = '{}': {}"), spec.key, text, number.problem));
     }
     value = *number.value;
   }
@@ -338,21 +349,21 @@ void check_setting(const SettingSpec& spec, const SettingValue& value, std::stri
     const std::string text = number != nullptr ? fmt::format("{}", *number) : std::get<std::string>(value);
     if (number != nullptr ||
         std::find(spec.choices.begin(), spec.choices.end(), text) == spec.choices.end()) {
-      throw InputError(fmt::format("{}{} = '{}' is not a valid choice; it must be one of: {}",
-                                   in_front(place), spec.key, text, fmt::join(spec.choices, ", ")));
+      refuse(place, message(NC_("core", "{} = '{}' is not a valid choice; it must be one of: {}"), spec.key,
+                            text, fmt::to_string(fmt::join(spec.choices, ", "))));
     }
     return;
   }
   if (number == nullptr) {
-    throw InputError(fmt::format("{}{} = '{}' is text; it must be a number {}", in_front(place), spec.key,
-                                 std::get<std::string>(value), bounds_text(spec)));
+    refuse(place, message(NC_("core", "{} = '{}' is text; it must be a number {}"), spec.key,
+                          std::get<std::string>(value), bounds_text(spec)));
   }
   const bool above = spec.minimum_allowed ? *number >= spec.minimum : *number > spec.minimum;
   const bool whole = !spec.whole || *number == std::floor(*number);
   const bool too_small = *number > 0 && *number < spec.least_above_zero;
   if (!std::isfinite(*number) || !above || too_small || !(*number <= spec.maximum) || !whole) {
-    throw InputError(fmt::format("{}{} = {} is out of bounds; it must be {}", in_front(place), spec.key,
-                                 *number, bounds_text(spec)));
+    refuse(place, message(NC_("core", "{} = {} is out of bounds; it must be {}"), spec.key, *number,
+                          bounds_text(spec)));
   }
 }
 

@@ -12,7 +12,8 @@ namespace feedscope {
 Provenance read_provenance(const ConfigNode& entry, const std::string& name) {
   const bool assumed = entry.find("assumed") != nullptr;
   if (assumed == (entry.find("source") != nullptr)) {
-    entry.fail(fmt::format("{} must have one of source = \"paper, table\" and assumed = \"reason\"", name));
+    entry.fail(
+        message(NC_("core", "{} must have one of source = \"paper, table\" and assumed = \"reason\""), name));
   }
   return {entry.need_text(assumed ? "assumed" : "source", name), assumed};
 }
@@ -22,10 +23,10 @@ SettingValue read_sourced_value(const ConfigNode& table, const SettingSpec& spec
   const std::string name = fmt::format("'{}' in {}", spec.key, where);
   const ConfigNode& entry = table.need(spec.key, where);
   if (entry.kind() != ConfigNode::Kind::table) {
-    entry.fail(
-        fmt::format("{} needs a source: write {{ value = ..., source = \"paper, table\" }} or {{ value = "
-                    "..., assumed = \"reason\" }}",
-                    name));
+    entry.fail(message(NC_("core",
+                           "{} needs a source: write {{ value = ..., source = \"paper, table\" }} or {{ "
+                           "value = ..., assumed = \"reason\" }}"),
+                       name));
   }
   entry.check_keys({"value", "source", "assumed"}, name);
   provenance = read_provenance(entry, name);
@@ -35,13 +36,14 @@ SettingValue read_sourced_value(const ConfigNode& table, const SettingSpec& spec
   if (given.is_text()) {
     const TypedNumber number = spec.choices.empty() ? typed_in_unit(given.text(), spec.unit) : TypedNumber();
     if (!number.problem.empty()) {
-      given.fail(fmt::format("{} = '{}': {}", name, given.text(), number.problem));
+      given.fail(message(NC_("core", "{} = '{}': {}"), name, given.text(), number.problem));
     }
     result = number.value ? SettingValue(*number.value) : SettingValue(given.text());
   } else if (given.is_number()) {
     result = given.number();
   } else {
-    given.fail(fmt::format("value of {} must be a number{}", name, spec.choices.empty() ? "" : " or text"));
+    given.fail(spec.choices.empty() ? message(NC_("core", "value of {} must be a number"), name)
+                                    : message(NC_("core", "value of {} must be a number or text"), name));
   }
   check_setting(spec, result, given.place());
   return result;
@@ -57,7 +59,7 @@ Vec3 read_vector(const ConfigNode& entry, const std::array<const char*, 3>& keys
                      .minimum_allowed = true};
     const ConfigNode& given = entry.need(spec.key, name);
     if (!given.is_number()) {
-      given.fail(fmt::format("{} of {} must be a number", spec.key, name));
+      given.fail(message(NC_("core", "{} of {} must be a number"), spec.key, name));
     }
     check_setting(spec, given.number(), given.place());
     vector[axis] = given.number();

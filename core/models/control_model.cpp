@@ -31,10 +31,10 @@ void check_axes(const Toolpath& toolpath, const Machine& machine) {
           return s.kind == SegmentKind::arc || s.end[j] != toolpath.start[j];
         }));
     if (moves && !(least > 0)) {
-      throw InputError(
-          fmt::format("machine '{}': axis {} moves in this program, but one of its limits is {}; every limit "
-                      "of an axis that moves must be above 0",
-                      machine.id, name, least));
+      throw InputError(message(NC_("core",
+                                   "machine '{}': axis {} moves in this program, but one of its limits is "
+                                   "{}; every limit of an axis that moves must be above 0"),
+                               machine.id, name, least));
     }
   }
 }
@@ -94,9 +94,11 @@ const ControlModel& find_model(std::string_view id) {
     ids.push_back(model->info().id);
   }
   const std::string near = nearest_name(id, ids);
-  throw InputError(fmt::format("unknown model '{}'; {}known models: {}", id,
-                               near.empty() ? "" : fmt::format("did you mean '{}'? ", near),
-                               fmt::join(ids, ", ")));
+  const std::string known = fmt::to_string(fmt::join(ids, ", "));
+  throw InputError(
+      near.empty()
+          ? message(NC_("core", "unknown model '{}'; known models: {}"), id, known)
+          : message(NC_("core", "unknown model '{}'; did you mean '{}'? known models: {}"), id, near, known));
 }
 
 std::vector<SettingSpec> all_model_settings() {

@@ -28,7 +28,7 @@ struct ModelInfo {
   std::string summary;                ///< two or three sentences
   std::vector<SettingSpec> settings;  ///< beyond those of common_settings()
   std::vector<std::string> uses;      ///< keys of common_settings() that it uses
-  std::vector<std::string> remarks;   ///< facts beyond Guarantees, one sentence each
+  std::vector<Message> remarks;       ///< facts beyond Guarantees, one sentence each
   LimitTraits limits = {};            ///< for explanations
 };
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
+
 namespace feedscope {
 
 /// Extent to which one limit of every axis is kept.
@@ -97,6 +99,6 @@ KeptLimits all_kept();
 KeptLimits static_arc_limits();
 
 /// Sentences for people, one for each fact, in a fixed order.
-std::vector<std::string> sentences(const Guarantees& guarantees);
+std::vector<Message> sentences(const Guarantees& guarantees);
 
 }  // namespace feedscope

@@ -266,10 +266,11 @@ std::optional<ForeignLanguage> recognise_foreign(const SourceText& source) {
   if (points < enough) {
     return std::nullopt;
   }
-  return ForeignLanguage{"Okuma OSP",
-                         "G15 H selects a work offset there, G56 H a tool length, VC1 is a variable and CALL "
-                         "a subprogram",
-                         first};
+  return ForeignLanguage{
+      "Okuma OSP",
+      NC_("core",
+          "G15 H selects a work offset there, G56 H a tool length, VC1 is a variable and CALL a subprogram"),
+      first};
 }
 
 Dialect recognise(const SourceText& source) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "core/base/message.h"
 #include "core/program/text/source_text.h"
 
 namespace feedscope {
@@ -33,9 +34,9 @@ Dialect dialect_of_id(std::string_view id);
 
 /// A language that is recognised but not read.
 struct ForeignLanguage {
-  std::string_view title;    ///< of the control
-  std::string_view meaning;  ///< meaning of its words that the dialects read otherwise
-  std::uint32_t line = 0;    ///< of its first word; 0: recognised by the file name extension
+  std::string_view title;  ///< of the control
+  Translatable meaning;    ///< meaning of its words that the dialects read otherwise
+  std::uint32_t line = 0;  ///< of its first word; 0: recognised by the file name extension
 };
 
 /// Recognises the language of an unsupported control, by words and file names that only it has.

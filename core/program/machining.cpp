@@ -1,7 +1,5 @@
 #include "core/program/machining.h"
 
-#include <fmt/format.h>
-
 namespace feedscope {
 
 void Machining::report(const ReadFault& fault) const {
@@ -11,20 +9,22 @@ void Machining::report(const ReadFault& fault) const {
 void Machining::report_machine_move(std::string_view what, MessageCode code, std::uint32_t column) const {
   report(Severity::warning, code, 0, column, [&] {
     return Text{
-        fmt::format("{} moves to a machine position, which the program does not contain", what),
-        "neither drawn nor timed unless the machine gives positions (home_z_mm, part_zero_z_mm, ...); the "
-        "path continues where every axis is programmed again"};
+        message(NC_("core", "{} moves to a machine position, which the program does not contain"), what),
+        NC_("core",
+            "neither drawn nor timed unless the machine gives positions (home_z_mm, part_zero_z_mm, ...); "
+            "the path continues where every axis is programmed again")};
   });
 }
 
-std::optional<Vec3> Machining::tool_direction(const Vec3& vector, std::string_view words,
+std::optional<Vec3> Machining::tool_direction(const Vec3& vector, const Message& words,
                                               std::string_view example, std::uint32_t column) const {
   if (!(vector.norm() > 0)) {
     report(Severity::error, "rotary-direction", 0, column, [&] {
       return Text{
-          fmt::format("{} are all zero: the tool has no direction", words),
-          fmt::format("the rotary axes stay; write the vector from the tip to the spindle, such as {}",
-                      example)};
+          message(NC_("core", "{} are all zero: the tool has no direction"), words),
+          message(
+              NC_("core", "the rotary axes stay; write the vector from the tip to the spindle, such as {}"),
+              example)};
     });
     return std::nullopt;
   }

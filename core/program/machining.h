@@ -38,7 +38,7 @@ struct Machining {
   void report_machine_move(std::string_view what, MessageCode code, std::uint32_t column) const;
   /// Unit vector from the tip to the spindle in shown coordinates for a vector of the program. Empty, with an
   /// error, for a vector of length zero: `words` names its words, `example` shows one.
-  std::optional<Vec3> tool_direction(const Vec3& vector, std::string_view words, std::string_view example,
+  std::optional<Vec3> tool_direction(const Vec3& vector, const Message& words, std::string_view example,
                                      std::uint32_t column) const;
 };
 

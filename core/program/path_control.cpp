@@ -1,7 +1,5 @@
 #include "core/program/path_control.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <vector>
 
@@ -12,9 +10,23 @@ namespace feedscope {
 
 namespace {
 
-void add_switch(std::vector<std::string>& parts, std::string_view name, Switch value) {
+Translatable window_text(ExactStopWindow window) {
+  switch (window) {
+    case ExactStopWindow::machine:
+      break;
+    case ExactStopWindow::fine:
+      return NC_("core", "fine");
+    case ExactStopWindow::coarse:
+      return NC_("core", "coarse");
+    case ExactStopWindow::interpolation_end:
+      return NC_("core", "interpolation end");
+  }
+  return {};
+}
+
+void add_switch(std::vector<Message>& parts, Switch value, Translatable on, Translatable off) {
   if (value != Switch::machine) {
-    parts.push_back(fmt::format("{} {}", name, value == Switch::on ? "on" : "off"));
+    parts.emplace_back(value == Switch::on ? on : off);
   }
 }
 
@@ -24,10 +36,10 @@ bool is_too_small(double tolerance) {
   return tolerance > 0 && tolerance < least_tolerance;
 }
 
-DiagnosticLog::Text too_small_text(std::string_view words) {
-  const std::string least = plain_text(least_tolerance);
-  return {fmt::format("{} is below {} mm", words, least),
-          fmt::format("{} mm is used, the smallest that is simulated", least)};
+DiagnosticLog::Text too_small_text(const Message& words) {
+  const Message least = Message::number(plain_text(least_tolerance));
+  return {message(NC_("core", "{} is below {} mm"), words, least),
+          message(NC_("core", "{} mm is used, the smallest that is simulated"), least)};
 }
 
 const PathControl* find_own_tolerance(std::span<const PathControl> controls) {
@@ -38,60 +50,51 @@ const PathControl* find_own_tolerance(std::span<const PathControl> controls) {
 }
 
 std::string_view to_string(ExactStopWindow window) {
-  switch (window) {
-    case ExactStopWindow::machine:
-      break;
-    case ExactStopWindow::fine:
-      return "fine";
-    case ExactStopWindow::coarse:
-      return "coarse";
-    case ExactStopWindow::interpolation_end:
-      return "interpolation end";
-  }
-  return {};
+  return window_text(window).english;
 }
 
-std::string describe(const PathControl& control) {
-  std::vector<std::string> parts;
+Message describe(const PathControl& control) {
+  std::vector<Message> parts;
   if (control.mode == PathMode::exact_stop) {
-    const std::string_view window = to_string(control.exact_stop_window);
-    parts.push_back(window.empty() ? "exact stops" : fmt::format("exact stops ({})", window));
+    const bool any = control.exact_stop_window == ExactStopWindow::machine;
+    parts.push_back(any ? NC_("core", "exact stops")
+                        : message(NC_("core", "exact stops ({})"), window_text(control.exact_stop_window)));
   } else if (control.mode == PathMode::continuous) {
-    parts.emplace_back("continuous");
+    parts.emplace_back(NC_("core", "continuous"));
   }
   if (control.contour_tolerance) {
-    parts.push_back(fmt::format("contour tolerance {} mm", *control.contour_tolerance));
+    parts.push_back(message(NC_("core", "contour tolerance {} mm"), *control.contour_tolerance));
   }
   if (control.blend_distance) {
-    parts.push_back(fmt::format("blends from {} mm before the corner", *control.blend_distance));
+    parts.push_back(message(NC_("core", "blends from {} mm before the corner"), *control.blend_distance));
   }
   if (control.orientation_tolerance) {
-    parts.push_back(
-        fmt::format("orientation tolerance {:.6g} deg", units::to_deg(*control.orientation_tolerance)));
+    parts.push_back(message(NC_("core", "orientation tolerance {:.6g} deg"),
+                            units::to_deg(*control.orientation_tolerance)));
   }
-  add_switch(parts, "compaction", control.compaction);
+  add_switch(parts, control.compaction, NC_("core", "compaction on"), NC_("core", "compaction off"));
   if (control.compressor != control.compaction) {
-    add_switch(parts, "smooth curves", control.compressor);
+    add_switch(parts, control.compressor, NC_("core", "smooth curves on"), NC_("core", "smooth curves off"));
   }
   if (control.compaction_tolerance) {
-    parts.push_back(fmt::format("compaction tolerance {} mm", *control.compaction_tolerance));
+    parts.push_back(message(NC_("core", "compaction tolerance {} mm"), *control.compaction_tolerance));
   }
   switch (control.acceleration) {
     case AccelerationMode::machine:
       break;
     case AccelerationMode::soft:
-      parts.emplace_back("jerk limited");
+      parts.emplace_back(NC_("core", "jerk limited"));
       break;
     case AccelerationMode::brisk:
-      parts.emplace_back("acceleration in steps");
+      parts.emplace_back(NC_("core", "acceleration in steps"));
       break;
     case AccelerationMode::drive:
-      parts.emplace_back("acceleration falling with speed");
+      parts.emplace_back(NC_("core", "acceleration falling with speed"));
       break;
   }
-  add_switch(parts, "feed forward", control.feed_forward);
-  add_switch(parts, "look-ahead", control.look_ahead);
-  return parts.empty() ? "as the machine" : fmt::format("{}", fmt::join(parts, ", "));
+  add_switch(parts, control.feed_forward, NC_("core", "feed forward on"), NC_("core", "feed forward off"));
+  add_switch(parts, control.look_ahead, NC_("core", "look-ahead on"), NC_("core", "look-ahead off"));
+  return parts.empty() ? NC_("core", "as the machine") : enumerated(parts);
 }
 
 }  // namespace feedscope

@@ -63,7 +63,7 @@ struct PathControl {
 /// which then replaces it.
 bool is_too_small(double tolerance);
 /// Message about such a tolerance; `words`: "tolerance P0.0000001 of G64".
-DiagnosticLog::Text too_small_text(std::string_view words);
+DiagnosticLog::Text too_small_text(const Message& words);
 
 /// The first with a contour tolerance or a blend distance; nullptr for none.
 const PathControl* find_own_tolerance(std::span<const PathControl> controls);
@@ -72,6 +72,6 @@ const PathControl* find_own_tolerance(std::span<const PathControl> controls);
 std::string_view to_string(ExactStopWindow window);
 
 /// "continuous, contour tolerance 0.01 mm, compaction on"; "as the machine" for an empty one.
-std::string describe(const PathControl& control);
+Message describe(const PathControl& control);
 
 }  // namespace feedscope

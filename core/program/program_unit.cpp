@@ -1,7 +1,5 @@
 #include "core/program/program_unit.h"
 
-#include <fmt/format.h>
-
 #include "core/base/units.h"
 
 namespace feedscope {
@@ -10,14 +8,15 @@ std::string_view to_string(LengthUnit unit) {
   return unit == LengthUnit::inch ? "inch" : "mm";
 }
 
-std::string describe(const ProgramUnit& unit) {
+Message describe(const ProgramUnit& unit) {
+  const Message length = unit.unit == LengthUnit::inch ? NC_("core", "inch") : Message::as_written("mm");
   switch (unit.source) {
     case ProgramUnit::Source::program:
-      return fmt::format("{}, by the program", to_string(unit.unit));
+      return message(NC_("core", "{}, by the program"), length);
     case ProgramUnit::Source::asked:
-      return fmt::format("{}, by --unit", to_string(unit.unit));
+      return message(NC_("core", "{}, by --unit"), length);
     default:
-      return fmt::format("{}, assumed: the program does not define its unit", to_string(unit.unit));
+      return message(NC_("core", "{}, assumed: the program does not define its unit"), length);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/base/geometry.h"
+#include "core/base/message.h"
 
 namespace feedscope {
 
@@ -27,7 +28,7 @@ struct ProgramUnit {
 };
 
 /// "inch, by the program", "mm, by --unit", "mm, assumed: the program does not define its unit".
-std::string describe(const ProgramUnit& unit);
+Message describe(const ProgramUnit& unit);
 
 /// Sizes of a cut that tell units apart.
 struct CutSize {

@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -23,9 +22,10 @@ void say_centers_are_positions(Program& program, const std::vector<Diagnostic>& 
   const auto behind = std::find_if(program.diagnostics.begin(), program.diagnostics.end(),
                                    [line](const Diagnostic& diagnostic) { return diagnostic.line > line; });
   program.diagnostics.insert(behind, {Severity::warning, line, column, "arc-centers",
-                                      "I J K are used as positions: as offsets from the start most arcs do "
-                                      "not fit, as positions all of them do",
-                                      "program G90.1 if that is right, G91.1 if not"});
+                                      NC_("core",
+                                          "I J K are used as positions: as offsets from the start most arcs "
+                                          "do not fit, as positions all of them do"),
+                                      NC_("core", "program G90.1 if that is right, G91.1 if not")});
 }
 
 Program read_iso(const std::shared_ptr<const SourceText>& source, const ReadOptions& options,
@@ -60,12 +60,14 @@ Program read_as(Dialect dialect, std::shared_ptr<const SourceText> source, const
 
 /// First, because it explains more of the program than all diagnostics that follow from it.
 void say_foreign(Program& program, const ForeignLanguage& language) {
-  program.diagnostics.insert(program.diagnostics.begin(),
-                             {Severity::error, language.line, 0, "unsupported-control",
-                              fmt::format("this is a program for {}, which is not supported", language.title),
-                              fmt::format("it is interpreted as ISO and the path shown may be wrong: {}; "
-                                          "give --dialect to interpret it as that dialect",
-                                          language.meaning)});
+  program.diagnostics.insert(
+      program.diagnostics.begin(),
+      {Severity::error, language.line, 0, "unsupported-control",
+       message(NC_("core", "this is a program for {}, which is not supported"), language.title),
+       message(NC_("core",
+                   "it is interpreted as ISO and the path shown may be wrong: {}; give --dialect to "
+                   "interpret it as that dialect"),
+               language.meaning)});
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "core/program/reader.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -78,16 +76,19 @@ bool Reader::within_run_limit() {
   program_.cut_off = true;
   if (program_.motions.size() > max_motions) {
     report(Severity::error, "run-limit", 1, 0, [&] {
-      return Text{
-          fmt::format("cycles and curves have made more than {} motions", max_motions),
-          "the rest is skipped; check the infeeds of the cycles, or raise the limit with --repeat-limit"};
+      return Text{message(NC_("core", "cycles and curves have made more than {} motions"), max_motions),
+                  NC_("core",
+                      "the rest is skipped; check the infeeds of the cycles, or raise the limit with "
+                      "--repeat-limit")};
     });
     return false;
   }
   report(Severity::error, "run-limit", 0, 0, [&] {
     return Text{
-        fmt::format("loops and calls have run {} lines without coming to an end", options_.repeat_limit),
-        "the rest is skipped; check the loop's condition, or raise the limit with --repeat-limit"};
+        message(NC_("core", "loops and calls have run {} lines without coming to an end"),
+                options_.repeat_limit),
+        NC_("core",
+            "the rest is skipped; check the loop's condition, or raise the limit with --repeat-limit")};
   });
   return false;
 }
@@ -95,15 +96,16 @@ bool Reader::within_run_limit() {
 void Reader::report_nothing_read() {
   if (program_.block_count == 0) {
     log_.add(Severity::error, "empty-program", 0, {}, [] {
-      return Text{"the program has no blocks", "give a file with NC blocks such as \"G1 X10 F500\""};
+      return Text{NC_("core", "the program has no blocks"),
+                  NC_("core", "give a file with NC blocks such as \"G1 X10 F500\"")};
     });
   } else if (std::all_of(program_.motions.begin(), program_.motions.end(), [](const MotionBlock& block) {
                return block.motion == Motion::dwell && block.pause != Pause::dwell &&
                       block.pause != Pause::machine_move;
              })) {
     log_.add(Severity::warning, "no-motion", 0, {}, [] {
-      return Text{"no block of the program moves an axis",
-                  "if the program has another dialect, give it with --dialect"};
+      return Text{NC_("core", "no block of the program moves an axis"),
+                  NC_("core", "if the program has another dialect, give it with --dialect")};
     });
   }
 }
@@ -117,7 +119,8 @@ void Reader::report_text_after_end() {
   for (std::uint32_t line = end + 1; line <= source.line_count(); ++line) {
     if (const std::uint32_t column = first_word(source.line(line)); column > 0) {
       log_.add(Severity::info, "text-after-end", 0, {line, column, {}}, [&] {
-        return Text{fmt::format("the program ends in line {}; the text after it is not executed", end), ""};
+        return Text{
+            message(NC_("core", "the program ends in line {}; the text after it is not executed"), end), {}};
       });
       return;
     }

@@ -1,7 +1,5 @@
 #include "core/toolpath/rotary_notes.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -17,12 +15,12 @@ constexpr std::size_t most_notes = 10;  // of a kind
 
 }  // namespace
 
-void RotaryNotes::add(std::uint32_t line, MessageCode code, std::string message, std::string hint) {
+void RotaryNotes::add(std::uint32_t line, MessageCode code, Message what, Message hint) {
   Diagnostic note;
   note.severity = Severity::info;
   note.line = line;
   note.code = std::string(code.text());
-  note.message = std::move(message);
+  note.message = std::move(what);
   note.hint = std::move(hint);
   path_.machine_faults.push_back(std::move(note));
 }
@@ -40,17 +38,18 @@ void RotaryNotes::add_unclear(std::uint32_t line, std::span<const RotaryPlaces> 
   };
   const double way = way_to(found.front());
   if (found.size() > 1 && way > large && std::abs(way_to(found[1]) - way) < equal && equals_++ < most_notes) {
-    add(line, "rotary-position", "two positions of the rotary axes give the tool vector and are equally near",
-        "one of them is used; a control may choose the other");
+    add(line, "rotary-position",
+        NC_("core", "two positions of the rotary axes give the tool vector and are equally near"),
+        NC_("core", "one of them is used; a control may choose the other"));
   }
   const double turn = std::abs(found.front().angles.front() - from.front());
   if (from.size() == 2 && turn > large && flips_++ < most_notes) {
     add(line, "rotary-way",
-        fmt::format("axis {} turns by {:.4g} degrees within one block for a tool vector", first.name,
-                    units::to_deg(turn)),
-        "a control may stop, limit the turn or go another way; near the singular position smaller steps of "
-        "the "
-        "tool vector, or a part that is clamped at a tilt, make it turn less");
+        message(NC_("core", "axis {} turns by {:.4g} degrees within one block for a tool vector"), first.name,
+                units::to_deg(turn)),
+        NC_("core",
+            "a control may stop, limit the turn or go another way; near the singular position smaller steps "
+            "of the tool vector, or a part that is clamped at a tilt, make it turn less"));
   }
 }
 
@@ -91,13 +90,15 @@ void RotaryNotes::report_singular() {
   std::ranges::sort(slowest);
   for (const SingularPlace* place : slowest) {
     add(place->line, "rotary-feed",
-        fmt::format("axis {} holds the feed at {:.4g} of {:.4g} mm/min near its singular position: the tool "
-                    "is {:.2g} degrees from its axis",
-                    place->axis, units::to_mm_min(place->speed), units::to_mm_min(place->feed),
-                    units::to_deg(place->tilt)),
-        fmt::format("lines {} to {}, one of {} such places; tilting the part by some degrees in the clamping "
-                    "takes the path away from it",
-                    place->first_line, place->last_line, path_.singular_places.size()));
+        message(NC_("core",
+                    "axis {} holds the feed at {:.4g} of {:.4g} mm/min near its singular position: the tool "
+                    "is {:.2g} degrees from its axis"),
+                place->axis, units::to_mm_min(place->speed), units::to_mm_min(place->feed),
+                units::to_deg(place->tilt)),
+        message(NC_("core",
+                    "lines {} to {}, one of {} such places; tilting the part by some degrees in the clamping "
+                    "takes the path away from it"),
+                place->first_line, place->last_line, path_.singular_places.size()));
   }
 }
 

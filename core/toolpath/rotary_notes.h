@@ -30,7 +30,7 @@ class RotaryNotes {
   void report_singular();
 
  private:
-  void add(std::uint32_t line, MessageCode code, std::string message, std::string hint);
+  void add(std::uint32_t line, MessageCode code, Message what, Message hint);
 
   Toolpath& path_;
   std::size_t flips_ = 0;          ///< tool vectors with a large turn of the first axis

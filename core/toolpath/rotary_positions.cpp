@@ -56,10 +56,11 @@ RotaryPositions::RotaryPositions(const Machine& machine, const KinematicChain& c
   if (!says_directions(moves)) {
     path.part.turn.setIdentity();
     fault(moves.front().line, Severity::warning, "rotary-position",
-          "the part stays as programmed: the program sends the rotary axes of one machine to angles",
-          "part_angle_x_deg, _y_deg and _z_deg turn the part under programs with tool vectors, tilted planes "
-          "or "
-          "tool centre point control; post this one again");
+          NC_("core",
+              "the part stays as programmed: the program sends the rotary axes of one machine to angles"),
+          NC_("core",
+              "part_angle_x_deg, _y_deg and _z_deg turn the part under programs with tool vectors, tilted "
+              "planes or tool centre point control; post this one again"));
     return;
   }
   RotaryMove first;
@@ -86,10 +87,10 @@ std::array<double, 3> RotaryPositions::asked_by(const RotaryMove& move) {
     if (path_.part.turn.isIdentity() && (to[place] < axis->minimum.value_or(to[place]) - reached ||
                                          to[place] > axis->maximum.value_or(to[place]) + reached)) {
       fault(move.line, Severity::error, "rotary-travel",
-            fmt::format("axis {} goes to {:g} degrees, beyond its travel from {:g} to {:g}", axis->name,
-                        units::to_deg(to[place]), units::to_deg(axis->minimum.value_or(-HUGE_VAL)),
-                        units::to_deg(axis->maximum.value_or(HUGE_VAL))),
-            "the time of the whole way is counted; a control refuses the block");
+            message(NC_("core", "axis {} goes to {:g} degrees, beyond its travel from {:g} to {:g}"),
+                    axis->name, units::to_deg(to[place]), units::to_deg(axis->minimum.value_or(-HUGE_VAL)),
+                    units::to_deg(axis->maximum.value_or(HUGE_VAL))),
+            NC_("core", "the time of the whole way is counted; a control refuses the block"));
     }
   }
   return to;
@@ -105,13 +106,17 @@ std::array<double, 3> RotaryPositions::angles_for(const RotaryMove& move, const 
   std::vector<RotaryPlaces> found = chain_.turn_to(direction, from);
   if (found.empty()) {
     const Vec3 asked = path_.part.turn.transpose() * direction;
+    const bool by_vector = move.with_feed || move.with_rapid;
+    const Message of = path_.part.turn.isIdentity()
+                           ? (by_vector ? NC_("core", "the tool vector") : NC_("core", "the tilted plane"))
+                           : (by_vector ? NC_("core", "the tool vector in the part as it is turned")
+                                        : NC_("core", "the tilted plane in the part as it is turned"));
     fault(move.line, Severity::error, "rotary-direction",
-          fmt::format("no position of the rotary axes of machine '{}' gives the tool the direction {:.4g}, "
-                      "{:.4g}, {:.4g} of {}{}",
-                      machine_.id, asked.x(), asked.y(), asked.z(),
-                      move.with_feed || move.with_rapid ? "the tool vector" : "the tilted plane",
-                      path_.part.turn.isIdentity() ? "" : " in the part as it is turned"),
-          "the rotary axes stay; tilt less, or choose another machine");
+          message(NC_("core",
+                      "no position of the rotary axes of machine '{}' gives the tool the direction {:.4g}, "
+                      "{:.4g}, {:.4g} of {}"),
+                  machine_.id, asked.x(), asked.y(), asked.z(), of),
+          NC_("core", "the rotary axes stay; tilt less, or choose another machine"));
     return to;
   }
   if (move.with_feed) {
@@ -127,10 +132,12 @@ std::array<double, 3> RotaryPositions::angles_for(const RotaryMove& move, const 
   const auto asked = std::ranges::find_if(found, on_side);
   if (asked == found.end()) {
     fault(move.line, Severity::error, "rotary-direction",
-          fmt::format("no position of the rotary axes with {} of axis {} gives the tool the direction of the "
-                      "tilted plane within its travel",
-                      move.side > 0 ? "a positive angle" : "a negative angle", axes_.back()->name),
-          "the other position is used; ask for the other side");
+          message(NC_("core",
+                      "no position of the rotary axes with {} of axis {} gives the tool the direction of the "
+                      "tilted plane within its travel"),
+                  move.side > 0 ? NC_("core", "a positive angle") : NC_("core", "a negative angle"),
+                  axes_.back()->name),
+          NC_("core", "the other position is used; ask for the other side"));
   }
   const std::vector<double>& angles = asked == found.end() ? found.front().angles : asked->angles;
   for (std::size_t k = 0; k < angles.size(); ++k) {
@@ -163,8 +170,8 @@ std::array<double, 3> RotaryPositions::nearest(const Vec3& direction, std::array
   return from;
 }
 
-void RotaryPositions::fault(std::uint32_t line, Severity severity, MessageCode code, std::string message,
-                            std::string hint) {
+void RotaryPositions::fault(std::uint32_t line, Severity severity, MessageCode code, Message what,
+                            Message hint) {
   constexpr std::size_t most = 10;  // of a kind
   const auto same_kind = [&](const Diagnostic& other) {
     return other.code == code.text() && other.severity == severity;
@@ -176,7 +183,7 @@ void RotaryPositions::fault(std::uint32_t line, Severity severity, MessageCode c
   diagnostic.severity = severity;
   diagnostic.line = line;
   diagnostic.code = std::string(code.text());
-  diagnostic.message = std::move(message);
+  diagnostic.message = std::move(what);
   diagnostic.hint = std::move(hint);
   path_.machine_faults.push_back(std::move(diagnostic));
 }

@@ -41,7 +41,7 @@ class RotaryPositions {
   std::array<double, 3> angles_for(const RotaryMove& move, const Vec3& direction);
   bool leads_to(const std::vector<double>& angles) const;
   std::array<double, 3> nearest(const Vec3& direction, std::array<double, 3> from) const;
-  void fault(std::uint32_t line, Severity severity, MessageCode code, std::string message, std::string hint);
+  void fault(std::uint32_t line, Severity severity, MessageCode code, Message what, Message hint);
 
   const Machine& machine_;
   const KinematicChain& chain_;

@@ -1,7 +1,5 @@
 #include "core/toolpath/rotary_resolver.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -149,10 +147,11 @@ class RotaryResolver {
     note.severity = Severity::warning;
     note.line = line;
     note.code = std::string(MessageCode("rotary-feed").text());
-    note.message = "how X, Y and Z follow the rotary axes is not known without tool length and part zero";
-    note.hint =
-        "where rotary axes turn, their own limits hold and those of X, Y and Z as without them; give "
-        "tool_length_mm and part_zero_x_mm, _y_mm, _z_mm";
+    note.message =
+        NC_("core", "how X, Y and Z follow the rotary axes is not known without tool length and part zero");
+    note.hint = NC_("core",
+                    "where rotary axes turn, their own limits hold and those of X, Y and Z as without them; "
+                    "give tool_length_mm and part_zero_x_mm, _y_mm, _z_mm");
     path_.machine_faults.push_back(std::move(note));
   }
 

@@ -28,10 +28,12 @@ std::vector<UsedChannel> used_channels(const std::vector<std::string>& titles, c
     }
   }
   if (!builder.has_place()) {
-    throw InputError(fmt::format(
-        "'{}' has no signal that is known as the position of X, Y or Z; it has {}; say which, as --columns "
-        "x=1:mm,y=2:mm",
-        name, titles.empty() ? "none" : fmt::format("{}", fmt::join(titles, ", "))));
+    throw InputError(message(NC_("core",
+                                 "'{}' has no signal that is known as the position of X, Y or Z; it has {}; "
+                                 "say which, as --columns x=1:mm,y=2:mm"),
+                             name,
+                             titles.empty() ? Message(NC_("core", "none"))
+                                            : Message::as_written(fmt::to_string(fmt::join(titles, ", ")))));
   }
   return used;
 }

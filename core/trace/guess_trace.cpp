@@ -38,14 +38,14 @@ GuessedTrace guess_trace(const std::filesystem::path& file) {
       TraceBuilder builder(text.name(), "table");
       const FoundColumns found = find_columns(table, {}, text.name(), builder);
       if (!found.of(TraceQuantity::x) && !found.of(TraceQuantity::y) && !found.of(TraceQuantity::z)) {
-        throw InputError("no title of a column says which are the positions of X, Y and Z");
+        throw InputError(NC_("core", "no title of a column says which are the positions of X, Y and Z"));
       }
       if (table.titles.empty() && table.style.separator != ' ') {
-        throw InputError("the columns have no titles");
+        throw InputError(NC_("core", "the columns have no titles"));
       }
       return {TraceGuess::readable, {}};
     } catch (const InputError& error) {
-      return {TraceGuess::columns_wanted, error.what()};
+      return {TraceGuess::columns_wanted, error.message()};
     }
   } catch (const std::exception&) {
     return {};

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
+
+#include "core/base/message.h"
 
 namespace feedscope {
 
@@ -14,7 +15,7 @@ enum class TraceGuess {
 
 struct GuessedTrace {
   TraceGuess guess = TraceGuess::none;
-  std::string problem;  ///< reason why the columns must be specified, for display; else empty
+  Message problem;  ///< reason why the columns must be specified, for display; else empty
 };
 
 /// Examines the first mebibyte of a file, with or without gzip. Does not throw: an unreadable file is no

@@ -13,12 +13,13 @@ Trace read(TraceText& text, const TraceColumns& columns) {
   }
   Trace trace = sinumerik ? read_sinumerik_trace(text, columns) : read_twincat_scope(text, columns);
   if (columns.period > 0) {
-    trace.notes.push_back({.severity = Severity::warning,
-                           .line = 0,
-                           .column = 0,
-                           .code = "trace-rate-unused",
-                           .message = "traces of this kind have times of their own: the rate is not used",
-                           .hint = "leave out rate= and period="});
+    trace.notes.push_back(
+        {.severity = Severity::warning,
+         .line = 0,
+         .column = 0,
+         .code = "trace-rate-unused",
+         .message = NC_("core", "traces of this kind have times of their own: the rate is not used"),
+         .hint = NC_("core", "leave out rate= and period=")});
   }
   return trace;
 }

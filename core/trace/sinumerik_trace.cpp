@@ -62,7 +62,7 @@ class SinumerikReader {
       std::rethrow_exception(error_);
     }
     if (!used_) {
-      throw InputError(fmt::format("'{}' has no record of a SINUMERIK trace", text_.name()));
+      throw InputError(message(NC_("core", "'{}' has no record of a SINUMERIK trace"), text_.name()));
     }
     return builder_.finish();
   }
@@ -75,12 +75,13 @@ class SinumerikReader {
         !error_) {
       if (used_) {  // a truncated file: the samples so far count
         builder_.note(Severity::warning, line(), "trace-xml",
-                      fmt::format("the XML ends early: {}", XML_ErrorString(XML_GetErrorCode(parser_.get()))),
-                      "the records before it are used");
+                      message(NC_("core", "the XML ends early: {}"),
+                              std::string_view(XML_ErrorString(XML_GetErrorCode(parser_.get())))),
+                      NC_("core", "the records before it are used"));
         return false;
       }
-      throw InputError(fmt::format("{}:{}: {}; this is no whole XML file", text_.name(), line(),
-                                   XML_ErrorString(XML_GetErrorCode(parser_.get()))));
+      throw InputError(message(NC_("core", "{}:{}: {}; this is no whole XML file"), text_.name(), line(),
+                               std::string_view(XML_ErrorString(XML_GetErrorCode(parser_.get())))));
     }
     return !error_;
   }

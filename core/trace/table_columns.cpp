@@ -167,11 +167,12 @@ class ColumnFinder {
       return static_cast<std::size_t>(*number.value) - 1;
     }
     const std::string nearest = nearest_name(column, head_.titles);
-    throw InputError(fmt::format("'{}' has no column '{}' for {}; {}", name_, column, to_string(quantity),
-                                 !nearest.empty() ? fmt::format("did you mean '{}'?", nearest)
-                                 : head_.titles.empty()
-                                     ? fmt::format("it has {} columns without names", widest)
-                                     : fmt::format("it has {}", fmt::join(head_.titles, ", "))));
+    throw InputError(
+        message(NC_("core", "'{}' has no column '{}' for {}; {}"), name_, column, to_string(quantity),
+                !nearest.empty() ? message(NC_("core", "did you mean '{}'?"), nearest)
+                : head_.titles.empty()
+                    ? message(NC_("core", "it has {} columns without names"), widest)
+                    : message(NC_("core", "it has {}"), fmt::to_string(fmt::join(head_.titles, ", ")))));
   }
 
   void take_asked(TraceQuantity quantity, const TraceColumn& column) {
@@ -234,11 +235,13 @@ class ColumnFinder {
       axes.emplace_back(1, static_cast<char>(axis - 'x' + 'X'));
     }
     if (!axes.empty()) {
-      builder_.note(Severity::info, 0, "trace-actual",
-                    fmt::format("the trace has no set positions of {}: the actual ones are used instead",
-                                fmt::join(axes, ", ")),
-                    "feeds, ramps and corners contain what the drives do; record the set positions too to "
-                    "tell them apart");
+      builder_.note(
+          Severity::info, 0, "trace-actual",
+          message(NC_("core", "the trace has no set positions of {}: the actual ones are used instead"),
+                  fmt::to_string(fmt::join(axes, ", "))),
+          NC_("core",
+              "feeds, ramps and corners contain what the drives do; record the set positions too to tell "
+              "them apart"));
     }
   }
 
@@ -265,8 +268,8 @@ class ColumnFinder {
       take(TraceQuantity::feed, next, 1, "mm/s", ", assumed");
     }
     builder_.note(Severity::info, static_cast<std::uint32_t>(head_.first_row + 1), "trace-columns",
-                  "the table has no head: what its columns are is judged by their values",
-                  "say what they are: --columns time=1:s,x=2:mm,y=3:mm,z=4:mm");
+                  NC_("core", "the table has no head: what its columns are is judged by their values"),
+                  NC_("core", "say what they are: --columns time=1:s,x=2:mm,y=3:mm,z=4:mm"));
   }
 
   /// Handles a time without a unit, or no time.
@@ -282,8 +285,10 @@ class ColumnFinder {
         time->factor = usual_period;
         builder_.note(
             Severity::warning, 0, "trace-time-unit",
-            fmt::format("the time has no unit and rises by {:.6g} a sample: milliseconds are assumed", step),
-            fmt::format("say it: --columns time={}:ms", time->place + 1));
+            message(
+                NC_("core", "the time has no unit and rises by {:.6g} a sample: milliseconds are assumed"),
+                step),
+            message(NC_("core", "say it: --columns time={}:ms"), time->place + 1));
       }
       return;
     }
@@ -293,17 +298,20 @@ class ColumnFinder {
     if (found_.clock == TraceClock::machine) {
       found_.period = asked_.machine_period;
       builder_.note(Severity::info, 0, "trace-period",
-                    fmt::format("the trace has no times: one sample each {:.6g} ms is taken from the servo "
-                                "period of the machine",
-                                units::to_ms(found_.period)),
-                    "if it was recorded at another rate, say it in samples a second, as --columns "
-                    "linuxcnc,rate=1000");
+                    message(NC_("core",
+                                "the trace has no times: one sample each {:.6g} ms is taken from the servo "
+                                "period of the machine"),
+                            units::to_ms(found_.period)),
+                    NC_("core",
+                        "if it was recorded at another rate, say it in samples a second, as --columns "
+                        "linuxcnc,rate=1000"));
     } else if (found_.clock == TraceClock::assumed) {
       found_.period = usual_period;
       builder_.note(Severity::warning, 0, "trace-period",
-                    "the trace has no times: one sample each millisecond is assumed",
-                    "say the rate in samples a second, as --columns linuxcnc,rate=1000; or give the machine "
-                    "its servo period");
+                    NC_("core", "the trace has no times: one sample each millisecond is assumed"),
+                    NC_("core",
+                        "say the rate in samples a second, as --columns linuxcnc,rate=1000; or give the "
+                        "machine its servo period"));
     }
   }
 
@@ -335,10 +343,11 @@ TableHead find_table(std::string_view text, const std::string& name, const Trace
     }
   }
   if (first == lines.size()) {
-    throw InputError(fmt::format(
-        "'{}' is no trace: no row of numbers in its first {} lines; known are LinuxCNC halsampler, SINUMERIK "
-        "trace (XML), TwinCAT Scope (text) and tables of samples",
-        name, lines.size()));
+    throw InputError(
+        message(NC_("core",
+                    "'{}' is no trace: no row of numbers in its first {} lines; known are LinuxCNC "
+                    "halsampler, SINUMERIK trace (XML), TwinCAT Scope (text) and tables of samples"),
+                name, lines.size()));
   }
   head.first_row = first;
   for (std::size_t i = first; i < lines.size(); ++i) {

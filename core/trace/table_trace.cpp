@@ -31,10 +31,10 @@ class TableReader {
     }
     builder_.set_clock(found_.clock);
     if (!builder_.has_place() && !head_.titles.empty()) {
-      throw InputError(fmt::format(
-          "'{}' has no column that is known as the position of X, Y or Z; it has {}; say which, as --columns "
-          "x=2:mm,y=3:mm",
-          text.name(), fmt::join(head_.titles, ", ")));
+      throw InputError(message(NC_("core",
+                                   "'{}' has no column that is known as the position of X, Y or Z; it has "
+                                   "{}; say which, as --columns x=2:mm,y=3:mm"),
+                               text.name(), fmt::to_string(fmt::join(head_.titles, ", "))));
     }
   }
 

@@ -1,7 +1,5 @@
 #include "core/trace/trace_builder.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -164,13 +162,13 @@ bool TraceBuilder::has_place() const {
   return std::ranges::any_of(place_quantities, [&](TraceQuantity quantity) { return is_there(quantity); });
 }
 
-void TraceBuilder::note(Severity severity, std::uint32_t source_line, std::string code, std::string message,
-                        std::string hint) {
+void TraceBuilder::note(Severity severity, std::uint32_t source_line, std::string code, Message what,
+                        Message hint) {
   trace_.notes.push_back({.severity = severity,
                           .line = source_line,
                           .column = 0,
                           .code = std::move(code),
-                          .message = std::move(message),
+                          .message = std::move(what),
                           .hint = std::move(hint)});
 }
 
@@ -204,8 +202,9 @@ void TraceBuilder::add(const TraceSample& sample, std::uint32_t source_line) {
     if (step < 0) {
       if (parts_.size() <= most_listed) {
         note(Severity::warning, source_line, "trace-time-back",
-             fmt::format("the time goes back from {:.6g} s to {:.6g} s", trace_.time.back(), sample.time),
-             "only the longest part between two such places is used");
+             message(NC_("core", "the time goes back from {:.6g} s to {:.6g} s"), trace_.time.back(),
+                     sample.time),
+             NC_("core", "only the longest part between two such places is used"));
       }
       parts_.push_back({trace_.time.size(), source_line});
     }
@@ -213,8 +212,8 @@ void TraceBuilder::add(const TraceSample& sample, std::uint32_t source_line) {
     parts_.push_back({0, source_line});
   }
   if (trace_.time.size() >= most_samples) {
-    throw InputError(fmt::format("{}:{}: the trace has more than {} million samples", trace_.name,
-                                 source_line, most_samples / 1'000'000));
+    throw InputError(message(NC_("core", "{}:{}: the trace has more than {} million samples"), trace_.name,
+                             source_line, most_samples / 1'000'000));
   }
   if (source_line != last_source_line_ + 1 || trace_.time.empty()) {
     lines_of_samples_.emplace_back(trace_.time.size(), source_line);
@@ -273,10 +272,13 @@ void TraceBuilder::keep_longest_part() {
       }
     }
     note(Severity::warning, line_of(begin), "trace-parts",
-         fmt::format("the time goes back {}; the longest part with {} of {} samples is used",
-                     parts_.size() == 2 ? "once" : fmt::format("{} times", parts_.size() - 1), most,
-                     trace_.time.size()),
-         "record one run in one trace");
+         parts_.size() == 2
+             ? message(NC_("core", "the time goes back once; the longest part with {} of {} samples is used"),
+                       most, trace_.time.size())
+             : message(
+                   NC_("core", "the time goes back {} times; the longest part with {} of {} samples is used"),
+                   parts_.size() - 1, most, trace_.time.size()),
+         NC_("core", "record one run in one trace"));
   }
   keep(begin, end);
 }
@@ -308,13 +310,14 @@ void TraceBuilder::fill_missing() {
   fill_between(trace_.time, lines_, true);
   if (filled.between > 0) {
     note(Severity::info, 0, "trace-interpolated",
-         fmt::format("{} missing positions are interpolated between their neighbours", filled.between),
-         "signals recorded at one rate need none");
+         message(NC_("core", "{} missing positions are interpolated between their neighbours"),
+                 filled.between),
+         NC_("core", "signals recorded at one rate need none"));
   }
   if (filled.held > 0) {
     note(Severity::info, 0, "trace-unchanged",
-         fmt::format("{} positions that are missing for long are those before them", filled.held),
-         "recorders that write changes alone leave them out");
+         message(NC_("core", "{} positions that are missing for long are those before them"), filled.held),
+         NC_("core", "recorders that write changes alone leave them out"));
   }
 }
 
@@ -359,30 +362,31 @@ void TraceBuilder::look_at_times() {
     trace_.lost += step - trace_.period;
     if (trace_.gaps++ < most_listed) {
       note(Severity::warning, line_of(i), "trace-gap",
-           fmt::format("{:.6g} ms without a sample at {:.6g} s", units::to_ms(step),
-                       trace_.time[i - 1] - trace_.time.front()),
-           "what happened there is not known; ramps and corners there tell nothing");
+           message(NC_("core", "{:.6g} ms without a sample at {:.6g} s"), units::to_ms(step),
+                   trace_.time[i - 1] - trace_.time.front()),
+           NC_("core", "what happened there is not known; ramps and corners there tell nothing"));
     }
   }
   if (trace_.gaps > most_listed) {
     note(Severity::warning, 0, "trace-gap",
-         fmt::format("{} more stretches without samples, {:.6g} s in all", trace_.gaps - most_listed,
-                     trace_.lost),
-         "record less signals, or at a lower rate");
+         message(NC_("core", "{} more stretches without samples, {:.6g} s in all"), trace_.gaps - most_listed,
+                 trace_.lost),
+         NC_("core", "record less signals, or at a lower rate"));
   }
   trace_.jitter = counted > 0 ? std::sqrt(squares / static_cast<double>(counted)) : 0;
   if (trace_.jitter > 0.1 * trace_.period) {
     note(Severity::info, 0, "trace-jitter",
-         fmt::format("samples are {:.3g} ms apart, give or take {:.3g} ms", units::to_ms(trace_.period),
-                     units::to_ms(trace_.jitter)),
-         "times are used as they stand");
+         message(NC_("core", "samples are {:.3g} ms apart, give or take {:.3g} ms"),
+                 units::to_ms(trace_.period), units::to_ms(trace_.jitter)),
+         NC_("core", "times are used as they stand"));
   }
   if (trace_.period > coarse) {
     note(Severity::warning, 0, "trace-coarse",
-         fmt::format("one sample each {:.4g} ms: ramps and corners that last less than {:.4g} ms cannot be "
-                     "told apart",
-                     units::to_ms(trace_.period), units::to_ms(3 * trace_.period)),
-         "record at 1 to 4 ms; times and velocities of long moves are right as it is");
+         message(NC_("core",
+                     "one sample each {:.4g} ms: ramps and corners that last less than {:.4g} ms cannot be "
+                     "told apart"),
+                 units::to_ms(trace_.period), units::to_ms(3 * trace_.period)),
+         NC_("core", "record at 1 to 4 ms; times and velocities of long moves are right as it is"));
   }
 }
 
@@ -394,9 +398,9 @@ void TraceBuilder::look_at_jumps() {
   const auto step = [&](std::size_t from, std::size_t to) {
     return (trace_.place_at(to) - trace_.place_at(from)).norm();
   };
-  const auto report = [&](std::size_t i, std::string message, std::string hint) {
+  const auto report = [&](std::size_t i, const Message& what, const Message& hint) {
     if (count++ < most_listed) {
-      note(Severity::warning, line_of(i), "trace-jump", std::move(message), std::move(hint));
+      note(Severity::warning, line_of(i), "trace-jump", what, hint);
     }
   };
   for (std::size_t i = 1; i + 1 < trace_.size(); ++i) {
@@ -410,21 +414,23 @@ void TraceBuilder::look_at_jumps() {
     const double at = trace_.time[i] - trace_.time.front();
     if (behind > here / 2 && step(i - 1, i + 1) * much_more < here) {
       report(i,
-             fmt::format("the sample at {:.6g} s lies {:.4g} mm beside those before and behind it", at, here),
-             "it is not compared; the others are right");
+             message(NC_("core", "the sample at {:.6g} s lies {:.4g} mm beside those before and behind it"),
+                     at, here),
+             NC_("core", "it is not compared; the others are right"));
       ++i;
     } else if (here > much_more * std::max(before, behind)) {
       report(i,
-             fmt::format("the position jumps by {:.4g} mm within {:.4g} ms at {:.6g} s", here,
-                         units::to_ms(time), at),
-             "samples are missing there without a gap in the times: all later times, and the cycle time, are "
-             "too short by an unknown time");
+             message(NC_("core", "the position jumps by {:.4g} mm within {:.4g} ms at {:.6g} s"), here,
+                     units::to_ms(time), at),
+             NC_("core",
+                 "samples are missing there without a gap in the times: all later times, and the cycle time, "
+                 "are too short by an unknown time"));
     }
   }
   if (count > most_listed) {
     note(Severity::warning, 0, "trace-jump",
-         fmt::format("{} more jumps of the position", count - most_listed),
-         "check how the trace was recorded");
+         message(NC_("core", "{} more jumps of the position"), count - most_listed),
+         NC_("core", "check how the trace was recorded"));
   }
 }
 
@@ -440,38 +446,40 @@ void TraceBuilder::look_at_feed() {
     return;
   }
   note(Severity::warning, 0, "trace-rate",
-       fmt::format(
-           "the positions of the trace move at {:.3g} % of the feed that it records: its sampling rate "
-           "is wrong",
-           100 * ratio),
-       fmt::format("give the right rate, {0:.0f} samples a second, as --columns linuxcnc,rate={0:.0f}; or "
-                   "leave the column of the feed out",
-                   1 / (trace_.period * ratio)));
+       message(NC_("core",
+                   "the positions of the trace move at {:.3g} % of the feed that it records: its sampling "
+                   "rate is wrong"),
+               100 * ratio),
+       message(NC_("core",
+                   "give the right rate, {0:.0f} samples a second, as --columns linuxcnc,rate={0:.0f}; or "
+                   "leave the column of the feed out"),
+               1 / (trace_.period * ratio)));
 }
 
 Trace TraceBuilder::finish() {
   if (skipped_ > 0) {
     note(Severity::warning, first_skipped_, "trace-row",
-         fmt::format("{} without numbers {} skipped, the first is '{}'",
-                     skipped_ == 1 ? "a row" : fmt::format("{} rows", skipped_), skipped_ == 1 ? "is" : "are",
-                     skipped_text_),
-         "remove rows that are not data, or check the columns");
+         skipped_ == 1
+             ? message(NC_("core", "a row without numbers is skipped, the first is '{}'"), skipped_text_)
+             : message(NC_("core", "{} rows without numbers are skipped, the first is '{}'"), skipped_,
+                       skipped_text_),
+         NC_("core", "remove rows that are not data, or check the columns"));
   }
   if (repeated_ > 0) {
     note(Severity::warning, first_repeated_, "trace-time-repeated",
-         fmt::format("{} samples at the time of the one before are skipped", repeated_),
-         "record the time with more digits");
+         message(NC_("core", "{} samples at the time of the one before are skipped"), repeated_),
+         NC_("core", "record the time with more digits"));
   }
   if (late_ > 0) {
     note(Severity::warning, first_late_, "trace-time-jitter",
-         fmt::format("{} samples with a time a little before that of the sample ahead are skipped", late_),
-         "the times jitter by more than a period: record the time of the control's cycle");
+         message(NC_("core", "{} samples with a time a little before that of the sample ahead are skipped"),
+                 late_),
+         NC_("core", "the times jitter by more than a period: record the time of the control's cycle"));
   }
   if (!has_place()) {
-    throw InputError(
-        fmt::format("'{}' has no position of X, Y or Z; name their columns, as --columns "
-                    "x=2:mm,y=3:mm",
-                    trace_.name));
+    throw InputError(message(
+        NC_("core", "'{}' has no position of X, Y or Z; name their columns, as --columns x=2:mm,y=3:mm"),
+        trace_.name));
   }
   keep_longest_part();
   if (trace_.time.size() > 1) {
@@ -479,8 +487,9 @@ Trace TraceBuilder::finish() {
     drop_unknown_ends();
   }
   if (trace_.time.size() < least_samples) {
-    throw InputError(fmt::format("'{}' has too few samples whose times rise: {}; a trace has at least {}",
-                                 trace_.name, trace_.time.size(), least_samples));
+    throw InputError(
+        message(NC_("core", "'{}' has too few samples whose times rise: {}; a trace has at least {}"),
+                trace_.name, trace_.time.size(), least_samples));
   }
   look_at_times();
   look_at_jumps();

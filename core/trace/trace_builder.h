@@ -42,8 +42,7 @@ class TraceBuilder {
   void add(const TraceSample& sample, std::uint32_t source_line);
   /// Skips a row without a sample; such rows are counted and reported once.
   void skip(std::uint32_t source_line, std::string_view row);
-  void note(Severity severity, std::uint32_t source_line, std::string code, std::string message,
-            std::string hint);
+  void note(Severity severity, std::uint32_t source_line, std::string code, Message what, Message hint);
 
   /// Throws InputError if there are fewer than ten samples, or no axis.
   Trace finish();

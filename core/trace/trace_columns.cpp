@@ -62,11 +62,14 @@ std::string names_of(const std::array<Unit, n>& units) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+[[noreturn]] void refuse(const Message& what) {
+  throw InputError(message(NC_("core", "column specification: {}"), what));
+}
+
 double number_of(std::string_view key, std::string_view text, double least, double most) {
   const TypedNumber number = typed_number(text);
   if (!number.value || *number.value < least || *number.value > most) {
-    throw InputError(
-        fmt::format("column specification: {}={} must be a number from {} to {}", key, text, least, most));
+    refuse(message(NC_("core", "{}={} must be a number from {} to {}"), key, text, least, most));
   }
   return *number.value;
 }
@@ -79,13 +82,12 @@ char separator_of(std::string_view word) {
       return separator;
     }
   }
-  throw InputError(
-      fmt::format("column specification: separator={} must be tab, comma, semicolon or blank", word));
+  refuse(message(NC_("core", "separator={} must be tab, comma, semicolon or blank"), word));
 }
 
 char decimal_of(std::string_view word) {
   if (word != "point" && word != "comma") {
-    throw InputError(fmt::format("column specification: decimal={} must be point or comma", word));
+    refuse(message(NC_("core", "decimal={} must be point or comma"), word));
   }
   return word == "point" ? '.' : ',';
 }
@@ -101,8 +103,8 @@ double take_offset(TraceQuantity quantity, std::string_view& value) {
     return 0;  // the colon belongs to the column's name
   }
   if (!is_position(quantity)) {
-    throw InputError(fmt::format("column specification: {} cannot have an offset, {}; positions of axes can",
-                                 to_string(quantity), value.substr(last + 1)));
+    refuse(message(NC_("core", "{} cannot have an offset, {}; positions of axes can"), to_string(quantity),
+                   value.substr(last + 1)));
   }
   value = value.substr(0, last);
   return *number.value;
@@ -114,9 +116,8 @@ TraceColumn column_of(TraceQuantity quantity, std::string_view value) {
   const auto colon = value.rfind(':');
   column.column = std::string(trimmed(value.substr(0, colon)));
   if (column.column.empty()) {
-    throw InputError(
-        fmt::format("column specification: {}= needs the number or the name of a column, such as {}=2",
-                    to_string(quantity), to_string(quantity)));
+    refuse(message(NC_("core", "{}= needs the number or the name of a column, such as {}=2"),
+                   to_string(quantity), to_string(quantity)));
   }
   if (colon != std::string_view::npos && !(column.offset != 0 && trimmed(value.substr(colon + 1)).empty())) {
     std::string_view unit = trimmed(value.substr(colon + 1));
@@ -124,8 +125,8 @@ TraceColumn column_of(TraceQuantity quantity, std::string_view value) {
     unit.remove_prefix(mirrored ? 1 : 0);
     const auto factor = trace_unit(quantity, unit);
     if (!factor) {
-      throw InputError(fmt::format("column specification: unit '{}' of {} is not known; known: {}", unit,
-                                   to_string(quantity), trace_units(quantity)));
+      refuse(message(NC_("core", "unit '{}' of {} is not known; known: {}"), unit, to_string(quantity),
+                     trace_units(quantity)));
     }
     column.factor = mirrored ? -*factor : *factor;
     column.unit_given = true;
@@ -155,9 +156,9 @@ void apply(TraceColumns& columns, std::string_view key, std::string_view value) 
     std::vector<std::string> known(quantity_names.begin(), quantity_names.end());
     known.insert(known.end(), {"period", "rate", "separator", "decimal", "skip"});
     const std::string nearest = nearest_name(key, known);
-    throw InputError(fmt::format("column specification: unknown key '{}'; {}", key,
-                                 nearest.empty() ? fmt::format("known: {}", fmt::join(known, ", "))
-                                                 : fmt::format("did you mean '{}'?", nearest)));
+    refuse(message(NC_("core", "unknown key '{}'; {}"), key,
+                   nearest.empty() ? message(NC_("core", "known: {}"), fmt::to_string(fmt::join(known, ", ")))
+                                   : message(NC_("core", "did you mean '{}'?"), nearest)));
   }
 }
 
@@ -169,7 +170,7 @@ TraceColumns parse_assignments(std::string_view specification, TraceColumns colu
     specification = end == std::string_view::npos ? std::string_view() : specification.substr(end + 1);
     const auto equals = part.find('=');
     if (equals == std::string_view::npos) {
-      throw InputError(fmt::format("column specification: '{}' is not KEY=VALUE", part));
+      refuse(message(NC_("core", "'{}' is not KEY=VALUE"), part));
     }
     apply(columns, trimmed(part.substr(0, equals)), trimmed(part.substr(equals + 1)));
   }
@@ -279,9 +280,10 @@ TraceColumns parse_trace_columns(const std::string& specification) {
     }
     names.push_back(preset.name);
   }
-  throw InputError(fmt::format(
-      "'{}' is no preset of columns; known: {}; or write a specification such as time=1:ms,x=2:mm,y=3:mm",
-      first, fmt::join(names, ", ")));
+  throw InputError(message(NC_("core",
+                               "'{}' is no preset of columns; known: {}; or write a specification such as "
+                               "time=1:ms,x=2:mm,y=3:mm"),
+                           first, fmt::to_string(fmt::join(names, ", "))));
 }
 
 std::optional<double> trace_unit(TraceQuantity quantity, std::string_view unit) {

@@ -1,6 +1,5 @@
 #include "core/trace/trace_text.h"
 
-#include <fmt/format.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -26,13 +25,14 @@ TraceText::TraceText(const std::filesystem::path& file, Progress* progress)
     : name_(file.filename().string()), file_(std::make_unique<File>()), progress_(progress) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) {
-    throw InputError(fmt::format("'{}' is a folder; give a trace", file.string()));
+    throw InputError(message(NC_("core", "'{}' is a folder; give a trace"), file.string()));
   }
   errno = 0;
   file_->handle = gzopen(file.c_str(), "rb");
   if (file_->handle == nullptr) {
-    throw InputError(fmt::format("cannot read trace '{}': {}", file.string(),
-                                 std::generic_category().message(errno == 0 ? ENOMEM : errno)));
+    throw InputError(
+        message(NC_("core", "cannot read trace '{}': {}"), file.string(),
+                reason_of(std::error_code(errno == 0 ? ENOMEM : errno, std::generic_category()))));
   }
   const auto size = std::filesystem::file_size(file, error);
   file_->size = error ? 0 : static_cast<double>(size);
@@ -59,8 +59,8 @@ bool TraceText::fill() {
     const int got = gzread(file_->handle, buffer_.data() + kept, static_cast<unsigned>(piece));
     if (got < 0) {
       int code = 0;
-      throw InputError(
-          fmt::format("cannot read trace '{}': {}", name_, std::string(gzerror(file_->handle, &code))));
+      throw InputError(message(NC_("core", "cannot read trace '{}': {}"), name_,
+                               std::string(gzerror(file_->handle, &code))));
     }
     buffer_.resize(kept + static_cast<std::size_t>(got));
     if (progress_ != nullptr && file_->size > 0) {
@@ -71,7 +71,7 @@ bool TraceText::fill() {
     started_ = true;
     begin_ = buffer_.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
     if (buffer_.starts_with("\xFF\xFE") || buffer_.starts_with("\xFE\xFF")) {
-      throw InputError(fmt::format("'{}' is written in UTF-16; save it as UTF-8", name_));
+      throw InputError(message(NC_("core", "'{}' is written in UTF-16; save it as UTF-8"), name_));
     }
   }
   return buffer_.size() > kept;
@@ -90,8 +90,9 @@ bool TraceText::next_line(std::string_view& line) {
   while (end == std::string::npos) {
     const std::size_t looked_at = buffer_.size() - begin_;
     if (looked_at > piece) {
-      throw InputError(fmt::format("{}:{}: the line is longer than 1 MiB; this is not a table of samples",
-                                   name_, line_ + 1));
+      throw InputError(
+          message(NC_("core", "{}:{}: the line is longer than 1 MiB; this is not a table of samples"), name_,
+                  line_ + 1));
     }
     if (!fill()) {
       break;

@@ -109,8 +109,8 @@ class ScopeReader {
         return;
       }
     }
-    throw InputError(fmt::format("{}:{}: no samples follow the head of the TwinCAT Scope export",
-                                 text_.name(), text_.line_number()));
+    throw InputError(message(NC_("core", "{}:{}: no samples follow the head of the TwinCAT Scope export"),
+                             text_.name(), text_.line_number()));
   }
 
   /// Decimal sign: a comma if one of the first rows has a number with one.

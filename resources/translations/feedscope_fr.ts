@@ -3167,6 +3167,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
 <context>
     <name>core</name>
     <message>
+        <source>unknown unit &apos;{}&apos;; write the number in one of: {}</source>
+        <translation>unité &apos;{}&apos; inconnue&#xa0;; écrivez le nombre dans l’une de ces unités&#xa0;: {}</translation>
+    </message>
+    <message>
         <source>rev/min</source>
         <translation>tr/min</translation>
     </message>
@@ -3351,24 +3355,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>Temps jusqu’à ce que la broche ait atteint sa vitesse, pendant lequel les axes attendent ; sans lui, les démarrages de broche ne sont pas comptés dans le temps de cycle.</translation>
     </message>
     <message>
-        <source>Home position %1</source>
-        <translation>Position d’origine %1</translation>
-    </message>
-    <message>
         <source>Machine coordinate of the reference point that G28 and G74 move to; without it such a move is neither drawn nor timed.</source>
         <translation>Coordonnée machine du point de référence que rejoignent G28 et G74 ; sans elle, un tel déplacement n’est ni dessiné ni chronométré.</translation>
     </message>
     <message>
-        <source>Tool change position %1</source>
-        <translation>Position de changement d’outil %1</translation>
-    </message>
-    <message>
         <source>Machine coordinate of the position that G30 and G75 move to; without it such a move is neither drawn nor timed.</source>
         <translation>Coordonnée machine de la position que rejoignent G30 et G75 ; sans elle, un tel déplacement n’est ni dessiné ni chronométré.</translation>
-    </message>
-    <message>
-        <source>Part zero %1</source>
-        <translation>Origine pièce %1</translation>
     </message>
     <message>
         <source>Machine coordinate of the zero point of the coordinates shown, 0 where work offsets are given in machine coordinates; without it moves to machine positions are neither drawn nor timed.</source>
@@ -4387,68 +4379,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>tableau d’échantillons</translation>
     </message>
     <message>
-        <source>%1 tool change</source>
-        <translation>%1 changement d’outil</translation>
-    </message>
-    <message>
-        <source>%1 tool changes</source>
-        <translation>%1 changements d’outil</translation>
-    </message>
-    <message>
-        <source>%1 spindle start</source>
-        <translation>%1 démarrage de la broche</translation>
-    </message>
-    <message>
-        <source>%1 spindle starts</source>
-        <translation>%1 démarrages de la broche</translation>
-    </message>
-    <message>
-        <source>%1 program stop (M0, M1)</source>
-        <translation>%1 arrêt programme (M0, M1)</translation>
-    </message>
-    <message>
-        <source>%1 program stops (M0, M1)</source>
-        <translation>%1 arrêts programme (M0, M1)</translation>
-    </message>
-    <message>
-        <source>%1 move to or from a machine position</source>
-        <translation>%1 déplacement vers ou depuis une position machine</translation>
-    </message>
-    <message>
-        <source>%1 moves to or from machine positions</source>
-        <translation>%1 déplacements vers ou depuis des positions machine</translation>
-    </message>
-    <message>
-        <source>motion of %1</source>
-        <translation>mouvement de %1</translation>
-    </message>
-    <message>
         <source>exact stops</source>
         <translation>arrêts précis</translation>
     </message>
     <message>
-        <source>exact stops (%1)</source>
-        <translation>arrêts précis (%1)</translation>
-    </message>
-    <message>
         <source>continuous</source>
         <translation>continu</translation>
-    </message>
-    <message>
-        <source>contour tolerance %1 mm</source>
-        <translation>tolérance de contour %1 mm</translation>
-    </message>
-    <message>
-        <source>blends from %1 mm before the corner</source>
-        <translation>raccords dès %1 mm avant l’angle</translation>
-    </message>
-    <message>
-        <source>orientation tolerance %1 deg</source>
-        <translation>tolérance d’orientation %1°</translation>
-    </message>
-    <message>
-        <source>compaction tolerance %1 mm</source>
-        <translation>tolérance de compactage %1 mm</translation>
     </message>
     <message>
         <source>compaction on</source>
@@ -4515,18 +4451,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>pouce</translation>
     </message>
     <message>
-        <source>%1, by the program</source>
-        <translation>%1, d’après le programme</translation>
-    </message>
-    <message>
-        <source>%1, by --unit</source>
-        <translation>%1, d’après --unit</translation>
-    </message>
-    <message>
-        <source>%1, assumed: the program does not define its unit</source>
-        <translation>%1, par hypothèse&#xa0;: le programme ne définit pas son unité</translation>
-    </message>
-    <message>
         <source>error</source>
         <translation>erreur</translation>
     </message>
@@ -4535,88 +4459,16 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>avertissement</translation>
     </message>
     <message>
-        <source>also in line %1</source>
-        <translation>aussi à la ligne %1</translation>
-    </message>
-    <message>
-        <source>also in lines %1 and %2</source>
-        <translation>aussi aux lignes %1 et %2</translation>
-    </message>
-    <message>
-        <source>%1 more up to line %2</source>
-        <translation>%1 autres jusqu’à la ligne %2</translation>
-    </message>
-    <message>
-        <source>The program is written for %1, but %2 has a %3: path and times are those of that control. No published machine has a %4 control; use your own machine file.</source>
-        <translation>Le programme est écrit pour %1, mais %2 a une %3&#xa0;: trajectoire et temps sont ceux de cette commande. Aucune machine publiée n’a de commande %4&#xa0;; utilisez votre propre fichier de machine.</translation>
-    </message>
-    <message>
-        <source>The program is written for %1, but %2 has a %3: path and times are those of that control. Use machine %4, whose control reads it.</source>
-        <translation>Le programme est écrit pour %1, mais %2 a une %3&#xa0;: trajectoire et temps sont ceux de cette commande. Utilisez la machine %4, dont la commande le lit.</translation>
-    </message>
-    <message>
-        <source>The program was read with work offsets other than those of the machine (%1).</source>
-        <translation>Le programme a été lu avec d’autres décalages d’origine que ceux de la machine (%1).</translation>
-    </message>
-    <message>
-        <source>The contour tolerance of %1 mm is %2 % of the estimated chord error of the short lines (%3 mm); Heidenhain advises 110 to 200 %.</source>
-        <translation>La tolérance de contour de %1 mm vaut %2&#xa0;% de l’erreur de corde estimée des droites courtes (%3 mm)&#xa0;; Heidenhain conseille 110 à 200&#xa0;%.</translation>
-    </message>
-    <message>
-        <source>The drive of axis %1 is poorly damped: it overshoots a step by %2 %; a smaller %3 or %4 damps it better.</source>
-        <translation>L’entraînement de l’axe %1 est mal amorti&#xa0;: il dépasse un échelon de %2&#xa0;%&#xa0;; un %3 ou un %4 plus petit l’amortit mieux.</translation>
-    </message>
-    <message>
-        <source>No drive is given for %1: followed exactly.</source>
-        <translation>Aucun entraînement n’est donné pour %1&#xa0;: suivi exact.</translation>
-    </message>
-    <message>
-        <source>1 line of the program is refused by the control and not run (line %1).</source>
-        <translation>1 ligne du programme est refusée par la commande et n’est pas exécutée (ligne %1).</translation>
-    </message>
-    <message>
-        <source>%1 lines of the program are refused by the control and not run (lines %2).</source>
-        <translation>%1 lignes du programme sont refusées par la commande et ne sont pas exécutées (lignes %2).</translation>
-    </message>
-    <message>
-        <source>Rotary axes: line %1: %2.</source>
-        <translation>Axes rotatifs&#xa0;: ligne %1&#xa0;: %2.</translation>
-    </message>
-    <message>
-        <source>Rotary axes: line %1: %2. %3 more.</source>
-        <translation>Axes rotatifs&#xa0;: ligne %1&#xa0;: %2. %3 de plus.</translation>
-    </message>
-    <message>
-        <source>Positions of rotary axes that the machine does not reach: line %1: %2.</source>
-        <translation>Positions d’axes rotatifs que la machine n’atteint pas&#xa0;: ligne %1&#xa0;: %2.</translation>
-    </message>
-    <message>
-        <source>Positions of rotary axes that the machine does not reach: line %1: %2. %3 more.</source>
-        <translation>Positions d’axes rotatifs que la machine n’atteint pas&#xa0;: ligne %1&#xa0;: %2. %3 de plus.</translation>
-    </message>
-    <message>
         <source>The program has no full circle: no cut runs a whole turn in XY, ZX or YZ by arcs about one centre. Circles of short lines are not recognised.</source>
         <translation>Le programme ne contient aucun cercle complet&#xa0;: aucune passe ne fait un tour entier en XY, ZX ou YZ par des arcs de même centre. Les cercles en petits segments ne sont pas reconnus.</translation>
-    </message>
-    <message>
-        <source>The program has %1 full circles; the first %2 are evaluated.</source>
-        <translation>Le programme contient %1 cercles complets&#xa0;; les %2 premiers sont évalués.</translation>
     </message>
     <message>
         <source>Not evaluated: 1 helix with full turns.</source>
         <translation>Non évalué&#xa0;: 1 hélice à tours complets.</translation>
     </message>
     <message>
-        <source>Not evaluated: %1 helices with full turns.</source>
-        <translation>Non évalué&#xa0;: %1 hélices à tours complets.</translation>
-    </message>
-    <message>
         <source>Not evaluated: 1 full circle outside the planes XY, ZX and YZ.</source>
         <translation>Non évalué&#xa0;: 1 cercle complet hors des plans XY, ZX et YZ.</translation>
-    </message>
-    <message>
-        <source>Not evaluated: %1 full circles outside the planes XY, ZX and YZ.</source>
-        <translation>Non évalué&#xa0;: %1 cercles complets hors des plans XY, ZX et YZ.</translation>
     </message>
     <message>
         <source>The source covers lines and their corners; arcs and helices follow the shared rules.</source>
@@ -4655,32 +4507,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>Chaque angle programmé est à moins de la tolérance de contour de la trajectoire&#xa0;; les transitions tangentes entre blocs sont suivies exactement.</translation>
     </message>
     <message>
-        <source>Every programmed corner lies within %1 times the contour tolerance of the path.</source>
-        <translation>Chaque angle programmé est à moins de %1 fois la tolérance de contour de la trajectoire.</translation>
-    </message>
-    <message>
-        <source>Every programmed corner lies within %1 times the contour tolerance of the path; tangent transitions between blocks are passed exactly.</source>
-        <translation>Chaque angle programmé est à moins de %1 fois la tolérance de contour de la trajectoire&#xa0;; les transitions tangentes entre blocs sont suivies exactement.</translation>
-    </message>
-    <message>
         <source>The programmed feed is kept along every block; where two blocks overlap their speeds add.</source>
         <translation>L’avance programmée est tenue dans chaque bloc&#xa0;; là où deux blocs se chevauchent, leurs vitesses s’ajoutent.</translation>
     </message>
     <message>
         <source>The programmed feed is met to whole steps and counts of a timer; very slow feeds are exceeded.</source>
         <translation>L’avance programmée est tenue au pas entier et au tic de minuterie près&#xa0;; les avances très lentes sont dépassées.</translation>
-    </message>
-    <message>
-        <source>Never faster than %1; rapids run at the maximum velocity of the control.</source>
-        <translation>Jamais plus vite que %1&#xa0;; les rapides vont à la vitesse maximale de la commande.</translation>
-    </message>
-    <message>
-        <source>Never faster than %1; rapids never faster than the axes allow.</source>
-        <translation>Jamais plus vite que %1&#xa0;; les rapides jamais plus vite que les axes ne le permettent.</translation>
-    </message>
-    <message>
-        <source>Never faster than %1 times %2.</source>
-        <translation>Jamais plus vite que %1 fois %2.</translation>
     </message>
     <message>
         <source>the largest programmed feed between two standstills</source>
@@ -4691,64 +4523,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>l’avance programmée</translation>
     </message>
     <message>
-        <source>On lines: %1.</source>
-        <translation>Sur les droites&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>On arcs: %1.</source>
-        <translation>Sur les arcs&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>On corner blends: %1.</source>
-        <translation>Sur les raccords d’angle&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>On smooth curves: %1.</source>
-        <translation>Sur les courbes lissées&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>%1 of every axis: along and across the path it stays within %2 each, together within %3 times the limit</source>
-        <translation>%1 de chaque axe&#xa0;: le long de la trajectoire et normalement à elle, au plus %2 chacune, ensemble au plus %3 fois la limite</translation>
-    </message>
-    <message>
-        <source>%1 of every axis: along the path the change of the acceleration (v&apos;&apos;) and the part due to curvature (v^3 k^2) each stay within %2, together within %3 times the limit</source>
-        <translation>%1 de chaque axe&#xa0;: le long de la trajectoire, la variation de l’accélération (v&apos;&apos;) et la part due à la courbure (v^3 k^2) restent chacune au plus à %2, ensemble au plus à %3 fois la limite</translation>
-    </message>
-    <message>
-        <source>across the path (3 v v&apos; k) it is not bounded</source>
-        <translation>normalement à la trajectoire (3 v v&apos; k), sans borne</translation>
-    </message>
-    <message>
         <source>the limit</source>
         <translation>la limite</translation>
-    </message>
-    <message>
-        <source>%1 times the limit</source>
-        <translation>%1 fois la limite</translation>
-    </message>
-    <message>
-        <source>%1 of every axis are kept</source>
-        <translation>%1 de chaque axe dans leurs limites</translation>
-    </message>
-    <message>
-        <source>%1 of every axis is kept</source>
-        <translation>%1 de chaque axe dans sa limite</translation>
-    </message>
-    <message>
-        <source>%1 of every axis stay within %2 times the limit</source>
-        <translation>%1 de chaque axe au plus à %2 fois la limite</translation>
-    </message>
-    <message>
-        <source>%1 of every axis stays within %2 times the limit</source>
-        <translation>%1 de chaque axe au plus à %2 fois la limite</translation>
-    </message>
-    <message>
-        <source>%1 are not bounded</source>
-        <translation>%1 sans borne</translation>
-    </message>
-    <message>
-        <source>%1 is not bounded</source>
-        <translation>%1 sans borne</translation>
     </message>
     <message>
         <source>velocity</source>
@@ -4783,14 +4559,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>Là où le programme demande BRISK, aucun jerk n’est borné le long de la trajectoire&#xa0;: l’accélération y change en une période d’interpolation.</translation>
     </message>
     <message>
-        <source>Where rotary axes turn, every axis of the machine stays within %1 times its velocity.</source>
-        <translation>Là où des axes rotatifs tournent, chaque axe de la machine reste en deçà de %1 fois sa vitesse maximale.</translation>
-    </message>
-    <message>
-        <source>Where rotary axes turn in rapids, every axis of the machine stays within %1 times its velocity.</source>
-        <translation>Là où des axes rotatifs tournent en rapide, chaque axe de la machine reste en deçà de %1 fois sa vitesse maximale.</translation>
-    </message>
-    <message>
         <source>BRISK of the program is not followed.</source>
         <translation>Le BRISK du programme n’est pas suivi.</translation>
     </message>
@@ -4801,10 +4569,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>Full stops at dwells only.</source>
         <translation>Arrêts complets aux seules temporisations.</translation>
-    </message>
-    <message>
-        <source>Full stops %1.</source>
-        <translation>Arrêts complets %1.</translation>
     </message>
     <message>
         <source>at corners of lines</source>
@@ -4837,22 +4601,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>Kinks of up to 0.01 rad at arcs are treated as tangent, as in every model.</source>
         <translation>Les cassures d’au plus 0,01 rad aux arcs sont traitées comme tangentes, comme dans tous les modèles.</translation>
-    </message>
-    <message>
-        <source>%1; %2</source>
-        <translation>%1&#xa0;; %2</translation>
-    </message>
-    <message>
-        <source>%1 and %2</source>
-        <translation>%1 et %2</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 à %2</translation>
     </message>
     <message>
         <source>A rapid keeps the velocity limit of every axis.</source>
@@ -4923,14 +4671,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>information</translation>
     </message>
     <message>
-        <source>%1 more</source>
-        <translation>%1 de plus</translation>
-    </message>
-    <message>
-        <source>the trace does not belong to this program: %1 % of its way runs along the path, and along %2 % of it</source>
-        <translation>la trace n’est pas celle de ce programme&#xa0;: %1 % de son parcours suit la trajectoire, et %2 % de celle-ci est suivi</translation>
-    </message>
-    <message>
         <source>open the program that was recorded, or give the zero point it ran with; times and feeds of the two tell nothing together</source>
         <translation>ouvrir le programme enregistré, ou indiquer l’origine avec laquelle il a tourné&#xa0;; les temps et les avances des deux ne disent rien ensemble</translation>
     </message>
@@ -4959,60 +4699,28 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>ses positions sont en mm et non en pouces&#xa0;: si c’est exact, l’indiquer, comme --columns x=2:mm</translation>
     </message>
     <message>
-        <source>axis %1 of the trace is mirrored; it is used with the other sign</source>
-        <translation>l’axe %1 de la trace est inversé&#xa0;; il est utilisé avec le signe contraire</translation>
-    </message>
-    <message>
         <source>give its column a minus sign, as --columns x=2:-mm, where that is right</source>
         <translation>si c’est exact, donner un signe moins à sa colonne, comme --columns x=2:-mm</translation>
-    </message>
-    <message>
-        <source>axis %1 does not move in the trace, but by %2 mm in the program</source>
-        <translation>l’axe %1 ne bouge pas dans la trace, mais de %2 mm dans le programme</translation>
     </message>
     <message>
         <source>if it was not recorded, name the columns of the others alone, as --columns time=1,x=2: times and the motion of these axes can be compared then</source>
         <translation>s’il n’a pas été enregistré, ne nommer que les colonnes des autres, comme --columns time=1,x=2&#xa0;: les temps et le mouvement de ces axes peuvent alors être comparés</translation>
     </message>
     <message>
-        <source>the trace does not have %1, which the program moves: feeds, corners and distances are those of %2 alone</source>
-        <translation>il manque à la trace %1, que le programme déplace&#xa0;: avances, angles et distances sont ceux de %2 seulement</translation>
-    </message>
-    <message>
         <source>times and limits of the axes that are there can be told; record X, Y and Z for the others</source>
         <translation>les temps et les limites des axes présents peuvent être déterminés&#xa0;; enregistrer X, Y et Z pour les autres</translation>
-    </message>
-    <message>
-        <source>the trace is farther than %1 mm from the path of the program for %2 s in %3 stretches, the longest from %4 s on at %5</source>
-        <translation>la trace est à plus de %1 mm de la trajectoire du programme pendant %2 s (tronçons&#xa0;: %3), le plus long à partir de %4 s, %5</translation>
     </message>
     <message>
         <source>they are marked and their feeds not compared; the control did there what the program does not say</source>
         <translation>ils sont marqués et leurs avances ne sont pas comparées&#xa0;; la commande y a fait ce que le programme ne dit pas</translation>
     </message>
     <message>
-        <source>nothing was recorded for %1 s in %2 stretches, the longest from %3 s on at %4</source>
-        <translation>rien n’a été enregistré pendant %1 s (tronçons&#xa0;: %2), le plus long à partir de %3 s, %4</translation>
-    </message>
-    <message>
         <source>the time of the whole is right; feeds, ramps and corners there are not known</source>
         <translation>le temps de l’ensemble est juste&#xa0;; avances, rampes et angles y sont inconnus</translation>
     </message>
     <message>
-        <source>the trace covers %1 % of the path of the program, %2; only that is compared</source>
-        <translation>la trace couvre %1 % de la trajectoire du programme, %2&#xa0;; seule cette partie est comparée</translation>
-    </message>
-    <message>
         <source>feeds, ramps and corners there can be compared and limits be told; the cycle time is not known</source>
         <translation>avances, rampes et angles de cette partie peuvent être comparés et des limites déterminées&#xa0;; le temps de cycle est inconnu</translation>
-    </message>
-    <message>
-        <source>the trace holds %1 passes through the program; the first is compared</source>
-        <translation>la trace contient %1 passages du programme&#xa0;; le premier est comparé</translation>
-    </message>
-    <message>
-        <source>the trace is nowhere within %1 mm of the path of the program; it is of another program, or its zero point is another</source>
-        <translation>la trace n’est nulle part à moins de %1 mm de la trajectoire du programme&#xa0;; elle est d’un autre programme, ou son origine est autre</translation>
     </message>
     <message>
         <source>the run does not follow the path of the program within the tolerance of the comparison</source>
@@ -5023,76 +4731,36 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>la trace et la simulation n’ont aucune partie de la trajectoire en commun</translation>
     </message>
     <message>
-        <source>the time goes back from %1 s to %2 s</source>
-        <translation>le temps revient de %1 s à %2 s</translation>
-    </message>
-    <message>
         <source>only the longest part between two such places is used</source>
         <translation>seule la partie la plus longue entre deux de ces endroits est utilisée</translation>
-    </message>
-    <message>
-        <source>the time goes back %1 times; the longest part with %2 of %3 samples is used</source>
-        <translation>le temps revient en arrière %1 fois&#xa0;; la partie la plus longue, %2 échantillons sur %3, est utilisée</translation>
     </message>
     <message>
         <source>record one run in one trace</source>
         <translation>enregistrer une seule exécution par trace</translation>
     </message>
     <message>
-        <source>%1 missing positions are interpolated between their neighbours</source>
-        <translation>positions manquantes interpolées entre leurs voisines&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>signals recorded at one rate need none</source>
         <translation>des signaux enregistrés à une même cadence n’en ont pas besoin</translation>
-    </message>
-    <message>
-        <source>%1 ms without a sample at %2 s</source>
-        <translation>%1 ms sans échantillon à %2 s</translation>
     </message>
     <message>
         <source>what happened there is not known; ramps and corners there tell nothing</source>
         <translation>ce qui s’y est passé est inconnu&#xa0;; rampes et angles n’y disent rien</translation>
     </message>
     <message>
-        <source>%1 more stretches without samples, %2 s in all</source>
-        <translation>autres tronçons sans échantillons&#xa0;: %1, %2 s en tout</translation>
-    </message>
-    <message>
         <source>record less signals, or at a lower rate</source>
         <translation>enregistrer moins de signaux, ou à une cadence plus basse</translation>
-    </message>
-    <message>
-        <source>samples are %1 ms apart, give or take %2 ms</source>
-        <translation>les échantillons sont espacés de %1 ms, à %2 ms près</translation>
     </message>
     <message>
         <source>times are used as they stand</source>
         <translation>les temps sont utilisés tels quels</translation>
     </message>
     <message>
-        <source>one sample each %1 ms: ramps and corners that last less than %2 ms cannot be told apart</source>
-        <translation>un échantillon toutes les %1 ms&#xa0;: rampes et angles de moins de %2 ms ne se distinguent pas</translation>
-    </message>
-    <message>
         <source>record at 1 to 4 ms; times and velocities of long moves are right as it is</source>
         <translation>enregistrer toutes les 1 à 4 ms&#xa0;; les temps et les vitesses des longs déplacements sont justes ainsi</translation>
     </message>
     <message>
-        <source>a row without numbers is skipped, the first is &apos;%1&apos;</source>
-        <translation>une ligne sans nombres est ignorée&#xa0;: «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>%1 rows without numbers are skipped, the first is &apos;%2&apos;</source>
-        <translation>%1 lignes sans nombres sont ignorées, la première est «&#xa0;%2&#xa0;»</translation>
-    </message>
-    <message>
         <source>remove rows that are not data, or check the columns</source>
         <translation>retirer ce qui n’est pas un tableau, ou vérifier les colonnes</translation>
-    </message>
-    <message>
-        <source>%1 samples at the time of the one before are skipped</source>
-        <translation>échantillons ignorés, au même temps que le précédent&#xa0;: %1</translation>
     </message>
     <message>
         <source>record the time with more digits</source>
@@ -5107,20 +4775,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>l’indiquer&#xa0;: --columns time=1:s,x=2:mm,y=3:mm,z=4:mm</translation>
     </message>
     <message>
-        <source>the time has no unit and rises by %1 a sample: milliseconds are assumed</source>
-        <translation>le temps n’a pas d’unité et croît de %1 par échantillon&#xa0;: des millisecondes sont supposées</translation>
-    </message>
-    <message>
-        <source>say it: --columns time=%1:ms</source>
-        <translation>l’indiquer&#xa0;: --columns time=%1:ms</translation>
-    </message>
-    <message>
         <source>the trace has no times: one sample each millisecond is assumed</source>
         <translation>la trace n’a pas de temps&#xa0;: un échantillon par milliseconde est supposé</translation>
-    </message>
-    <message>
-        <source>the trace has no times: one sample each %1 ms is taken from the servo period of the machine</source>
-        <translation>la trace n’a pas de temps&#xa0;: un échantillon toutes les %1 ms, d’après la période d’asservissement de la machine</translation>
     </message>
     <message>
         <source>if it was recorded at another rate, say it in samples a second, as --columns linuxcnc,rate=1000</source>
@@ -5133,14 +4789,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>leave out rate= and period=</source>
         <translation>omettez rate= et period=</translation>
-    </message>
-    <message>
-        <source>the positions of the trace move at %1 % of the feed that it records: its sampling rate is wrong</source>
-        <translation>les positions de la trace avancent à %1 % de l’avance qu’elle enregistre&#xa0;: sa cadence d’échantillonnage est fausse</translation>
-    </message>
-    <message>
-        <source>give the right rate, %1 samples a second, as --columns linuxcnc,rate=%2; or leave the column of the feed out</source>
-        <translation>donnez la bonne cadence, %1 échantillons par seconde, comme --columns linuxcnc,rate=%2&#xa0;; ou omettez la colonne de l’avance</translation>
     </message>
     <message>
         <source>times of the trace</source>
@@ -5163,20 +4811,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>indiquez la cadence en échantillons par seconde, comme --columns linuxcnc,rate=1000&#xa0;; ou donnez à la machine sa période d’asservissement</translation>
     </message>
     <message>
-        <source>the XML ends early: %1</source>
-        <translation>le XML se termine trop tôt&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>the records before it are used</source>
         <translation>les enregistrements précédents sont utilisés</translation>
-    </message>
-    <message>
-        <source>line %1</source>
-        <translation>ligne %1</translation>
-    </message>
-    <message>
-        <source>lines %1 to %2</source>
-        <translation>lignes %1 à %2</translation>
     </message>
     <message>
         <source>the program lines of the trace are not those of this program; it is matched by position alone</source>
@@ -5185,14 +4821,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>record the line of the file, or number its blocks</source>
         <translation>enregistrer la ligne du fichier, ou numéroter ses blocs</translation>
-    </message>
-    <message>
-        <source>the trace is farther than %1 mm from the path of the program for %2 s from %3 s on at %4</source>
-        <translation>la trace est à plus de %1 mm de la trajectoire du programme pendant %2 s à partir de %3 s, %4</translation>
-    </message>
-    <message>
-        <source>nothing was recorded for %1 s from %2 s on at %3</source>
-        <translation>rien n’a été enregistré pendant %1 s à partir de %2 s, %3</translation>
     </message>
     <message>
         <source>This model holds no acceleration and jerk limits of the axes: largest values may be above what the machine allows.</source>
@@ -5217,10 +4845,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>How far rotary axes may leave their programmed angles where blocks meet along which they turn at different rates; without it 0.05 degrees.</source>
         <translation>Écart admis des axes rotatifs à leurs angles programmés là où se joignent des blocs le long desquels ils tournent à des vitesses différentes ; en son absence, 0,05 degré.</translation>
-    </message>
-    <message>
-        <source>Angle of the part about %1</source>
-        <translation>Angle de la pièce autour de %1</translation>
     </message>
     <message>
         <source>How the part is turned in the clamping, about X, then Y, then Z, against how the program was made for; rotary axes stand as if the program had been posted again.</source>
@@ -5251,14 +4875,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>Le programme fait tourner des axes rotatifs que cette machine n’a pas : le temps de leurs rotations manque et ils ne limitent pas l’avance. Choisissez une machine qui en a, comme five-axis-table-ac.</translation>
     </message>
     <message>
-        <source>%1 turn of rotary axes for a tilted plane</source>
-        <translation>%1 rotation d’axes rotatifs pour un plan incliné</translation>
-    </message>
-    <message>
-        <source>%1 turns of rotary axes for tilted planes</source>
-        <translation>%1 rotations d’axes rotatifs pour des plans inclinés</translation>
-    </message>
-    <message>
         <source>This model does not hold the limits of rotary axes in full: their largest values may be above what the machine allows.</source>
         <translation>Ce modèle ne tient pas entièrement les limites des axes rotatifs : leurs valeurs maximales peuvent dépasser ce que la machine permet.</translation>
     </message>
@@ -5287,30 +4903,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>ce que les axes atteignent</translation>
     </message>
     <message>
-        <source>%1: the trace does not belong to its program: %2 % of its way runs along the path within %3 mm, and along %4 % of it; give the program that was recorded, with the zero point it ran with</source>
-        <translation>%1&#xa0;: la trace n’est pas celle de son programme&#xa0;: %2&#xa0;% de son parcours suit le trajet à moins de %3&#xa0;mm, et sur %4&#xa0;% de celui-ci&#xa0;; donner le programme enregistré, avec l’origine avec laquelle il a tourné</translation>
-    </message>
-    <message>
-        <source>%1: the trace holds too little of its program to find anything from it</source>
-        <translation>%1&#xa0;: la trace contient trop peu de son programme pour en tirer quelque chose</translation>
-    </message>
-    <message>
-        <source>%1:%2: not a table of section times; the first row must have the titles, such as section,seconds</source>
-        <translation>%1:%2&#xa0;: ce n’est pas un tableau de temps de sections&#xa0;; la première ligne doit porter les titres, par exemple section,seconds</translation>
-    </message>
-    <message>
-        <source>%1:%2: &apos;%3&apos; is not a section and its time; a row is like 12,1.234, with a time above 0 and below %4 s</source>
-        <translation>%1:%2&#xa0;: «&#xa0;%3&#xa0;» n’est pas une section et son temps&#xa0;; une ligne est de la forme 12,1.234, avec un temps supérieur à 0 et inférieur à %4&#xa0;s</translation>
-    </message>
-    <message>
-        <source>%1: section times given: %2; at least %3 can tell something</source>
-        <translation>%1&#xa0;: temps de sections donnés&#xa0;: %2&#xa0;; il en faut au moins %3 pour révéler quelque chose</translation>
-    </message>
-    <message>
-        <source>%1:%2: %3 has no section &apos;%4&apos;; a section is marked by the comments SECTION 12 BEGINS and SECTION 12 ENDS, or is given by its lines, as 40-55</source>
-        <translation>%1:%2&#xa0;: %3 n’a pas de section «&#xa0;%4&#xa0;»&#xa0;; une section est marquée par les commentaires SECTION 12 BEGINS et SECTION 12 ENDS, ou donnée par ses lignes, par exemple 40-55</translation>
-    </message>
-    <message>
         <source>Where blocks meet along which rotary axes turn, acceleration and jerk of axes may be above their limits for a short time: rounding of the angles, corners and ramps add up there. Their velocity steps by some percent at both ends of a corner blend, which is shorter than the corner; the accelerations shown do not hold these steps.</source>
         <translation>Là où se rejoignent des blocs le long desquels des axes rotatifs tournent, accélération et jerk d’axes peuvent dépasser leurs limites pendant un court instant : l’arrondi des positions angulaires, les angles de la trajectoire et les rampes s’y ajoutent. Leur vitesse fait un saut de quelques pour cent aux deux bouts d’un arrondi d’angle, plus court que l’angle ; les accélérations montrées ne contiennent pas ces sauts.</translation>
     </message>
@@ -5335,20 +4927,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>L’anticipation serait hors de 0 à 1 : les positions n’ont pas été enregistrées au même instant, ou l’entraînement a plus qu’une boucle linéaire.</translation>
     </message>
     <message>
-        <source>cycles and curves have made more than %1 motions</source>
-        <translation>les cycles et les courbes ont produit plus de %1 déplacements</translation>
-    </message>
-    <message>
         <source>the rest is skipped; check the infeeds of the cycles, or raise the limit with --repeat-limit</source>
         <translation>le reste est ignoré&#xa0;; vérifiez les passes des cycles, ou augmentez la limite avec --repeat-limit</translation>
-    </message>
-    <message>
-        <source>loops and calls have run %1 lines without coming to an end</source>
-        <translation>les boucles et les appels ont parcouru %1 lignes sans se terminer</translation>
-    </message>
-    <message>
-        <source>loops and calls have run %1 lines without coming to an end; before that, %2, line %3: %4 (%5)</source>
-        <translation>les boucles et les appels ont parcouru %1 lignes sans se terminer&#xa0;; avant cela, %2, ligne %3&#xa0;: %4 (%5)</translation>
     </message>
     <message>
         <source>the rest is skipped; check the loop&apos;s condition, or raise the limit with --repeat-limit</source>
@@ -5371,10 +4951,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>si le programme est d’un autre dialecte, indiquez-le avec --dialect</translation>
     </message>
     <message>
-        <source>the program ends in line %1; the text after it is not executed</source>
-        <translation>le programme se termine à la ligne %1&#xa0;; le texte qui suit n’est pas exécuté</translation>
-    </message>
-    <message>
         <source>I J K are used as positions: as offsets from the start most arcs do not fit, as positions all of them do</source>
         <translation>I J K sont lus comme des positions&#xa0;: comme décalages depuis le départ, la plupart des arcs ne tombent pas juste, comme positions tous le font</translation>
     </message>
@@ -5383,32 +4959,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>programmez G90.1 si c’est exact, sinon G91.1</translation>
     </message>
     <message>
-        <source>this is a program for %1, which is not supported</source>
-        <translation>ce programme est écrit pour %1, qui n’est pas pris en charge</translation>
-    </message>
-    <message>
-        <source>it is interpreted as ISO and the path shown may be wrong: %1; give --dialect to interpret it as that dialect</source>
-        <translation>il est interprété comme de l’ISO et la trajectoire affichée peut être fausse&#xa0;: %1&#xa0;; donnez --dialect pour l’interpréter dans ce dialecte</translation>
-    </message>
-    <message>
         <source>G15 H selects a work offset there, G56 H a tool length, VC1 is a variable and CALL a subprogram</source>
         <translation>G15 H y choisit un décalage d’origine, G56 H une longueur d’outil, VC1 est une variable et CALL un sous-programme</translation>
     </message>
     <message>
-        <source>%1 moves to a machine position, which the program does not contain</source>
-        <translation>%1 va à une position machine, que le programme ne contient pas</translation>
-    </message>
-    <message>
         <source>neither drawn nor timed unless the machine gives positions (home_z_mm, part_zero_z_mm, ...); the path continues where every axis is programmed again</source>
         <translation>ni dessiné ni chronométré tant que la machine ne donne pas ces positions (home_z_mm, part_zero_z_mm, ...)&#xa0;; la trajectoire reprend là où tous les axes sont de nouveau programmés</translation>
-    </message>
-    <message>
-        <source>%1 are all zero: the tool has no direction</source>
-        <translation>%1 sont nuls&#xa0;: l’outil n’a aucune direction</translation>
-    </message>
-    <message>
-        <source>the rotary axes stay; write the vector from the tip to the spindle, such as %1</source>
-        <translation>les axes rotatifs ne bougent pas&#xa0;; programmez le vecteur de la pointe vers la broche, comme %1</translation>
     </message>
     <message>
         <source>I, J and K</source>
@@ -5423,56 +4979,20 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>TX, TY et TZ</translation>
     </message>
     <message>
-        <source>%1 is below %2 mm</source>
-        <translation>%1 est au-dessous de %2 mm</translation>
-    </message>
-    <message>
-        <source>%1 mm is used, the smallest that is simulated</source>
-        <translation>%1 mm est utilisé, la plus petite valeur simulée</translation>
-    </message>
-    <message>
-        <source>%1 more of this kind up to line %2</source>
-        <translation>%1 de plus de ce type jusqu’à la ligne %2</translation>
-    </message>
-    <message>
-        <source>offsets without a value are assumed as zero, so parts of the path overlap; give them as an import option, --offset %1=X,Y,Z</source>
-        <translation>les décalages sans valeur sont supposés nuls, des parties de la trajectoire se recouvrent donc&#xa0;; donnez-les en option de lecture, --offset %1=X,Y,Z</translation>
-    </message>
-    <message>
-        <source>%1 has no valid number</source>
-        <translation>%1 n’a pas de nombre valable</translation>
-    </message>
-    <message>
         <source>correct the number</source>
         <translation>corrigez le nombre</translation>
-    </message>
-    <message>
-        <source>%1 is above the largest number, 1000000000</source>
-        <translation>%1 dépasse le plus grand nombre admis, 1000000000</translation>
     </message>
     <message>
         <source>write a smaller number</source>
         <translation>programmez un nombre plus petit</translation>
     </message>
     <message>
-        <source>%1 has no finite value</source>
-        <translation>%1 n’a pas de valeur finie</translation>
-    </message>
-    <message>
         <source>check the values that go into it</source>
         <translation>vérifiez les valeurs qui y entrent</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is missing here</source>
-        <translation>il manque ici &quot;%1&quot;</translation>
-    </message>
-    <message>
         <source>check the brackets of the expression</source>
         <translation>vérifiez les crochets ou parenthèses de l’expression</translation>
-    </message>
-    <message>
-        <source>the expression is nested more than %1 deep</source>
-        <translation>l’expression est imbriquée sur plus de %1 niveaux</translation>
     </message>
     <message>
         <source>split it into several assignments</source>
@@ -5483,16 +5003,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>il manque une valeur à la fin de l’expression</translation>
     </message>
     <message>
-        <source>%1 is not a value, variable or function</source>
-        <translation>%1 n’est ni une valeur, ni une variable, ni une fonction</translation>
-    </message>
-    <message>
         <source>write a number, a variable or a function here</source>
         <translation>programmez ici un nombre, une variable ou une fonction</translation>
-    </message>
-    <message>
-        <source>calls are nested more than %1 deep</source>
-        <translation>les appels sont imbriqués sur plus de %1 niveaux</translation>
     </message>
     <message>
         <source>this call is skipped; check whether the subprogram calls itself, or raise the limit with --call-depth</source>
@@ -5507,72 +5019,16 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>donnez-la en option de lecture&#xa0;: --unit mm ou --unit inch</translation>
     </message>
     <message>
-        <source>%1 x %2 x %3 mm cut at %4 mm/min at most look like inches; give --unit inch, or --unit mm if that is right</source>
-        <translation>%1 x %2 x %3 mm usinés à %4 mm/min au plus ressemblent à des pouces&#xa0;; donnez --unit inch, ou --unit mm si c’est exact</translation>
-    </message>
-    <message>
-        <source>%1: is larger than 4 GiB; split the program</source>
-        <translation>%1&#xa0;: fichier de plus de 4 Gio&#xa0;; divisez le programme</translation>
-    </message>
-    <message>
-        <source>%1: is not a text file (%2); give an NC program as ASCII, UTF-8 or Latin-1 text</source>
-        <translation>%1&#xa0;: n’est pas un fichier texte (%2)&#xa0;; donnez un programme CN en texte ASCII, UTF-8 ou Latin-1</translation>
-    </message>
-    <message>
         <source>it is UTF-16</source>
         <translation>il est en UTF-16</translation>
-    </message>
-    <message>
-        <source>it has %1 control characters</source>
-        <translation>il contient %1 caractères de commande</translation>
     </message>
     <message>
         <source>the rest is control characters only</source>
         <translation>le reste n’est que caractères de commande</translation>
     </message>
     <message>
-        <source>%1: cannot be read: %2</source>
-        <translation>%1&#xa0;: lecture impossible&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>%1:%2: the line is %3 bytes long, more than the %4 of any NC program; check the file&apos;s line ends</source>
-        <translation>%1:%2&#xa0;: la ligne fait %3 octets, plus que les %4 de tout programme CN&#xa0;; vérifiez les fins de ligne du fichier</translation>
-    </message>
-    <message>
-        <source>%1: does not exist; check the path</source>
-        <translation>%1&#xa0;: n’existe pas&#xa0;; vérifiez le chemin</translation>
-    </message>
-    <message>
-        <source>%1: is a directory; give the NC program inside it</source>
-        <translation>%1&#xa0;: est un dossier&#xa0;; donnez le programme CN qu’il contient</translation>
-    </message>
-    <message>
-        <source>%1: cannot be opened: %2</source>
-        <translation>%1&#xa0;: ouverture impossible&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>tool table &apos;%1&apos;, line %2: %3 is not a number</source>
-        <translation>table d’outils &apos;%1&apos;, ligne %2&#xa0;: %3 n’est pas un nombre</translation>
-    </message>
-    <message>
-        <source>tool table &apos;%1&apos;, line %2, column %3: %4</source>
-        <translation>table d’outils &apos;%1&apos;, ligne %2, colonne %3&#xa0;: %4</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a supported tool table; give lines such as &quot;T1 D10&quot; or &quot;$TC_DP6[1,1]=5&quot;, &quot;G10 L12 P1 R5&quot;, or columns headed T and R</source>
-        <translation>&apos;%1&apos; n’est pas une table d’outils connue&#xa0;; donnez des lignes comme &quot;T1 D10&quot; ou &quot;$TC_DP6[1,1]=5&quot;, &quot;G10 L12 P1 R5&quot;, ou des colonnes intitulées T et R</translation>
-    </message>
-    <message>
         <source>the table in the program&apos;s folder is not used; correct it, or name another one</source>
         <translation>la table du dossier du programme n’est pas utilisée&#xa0;; corrigez-la, ou nommez-en une autre</translation>
-    </message>
-    <message>
-        <source>cutter radii are those of tool table &apos;%1&apos;</source>
-        <translation>les rayons d’outil sont ceux de la table d’outils &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>give it as an import option (--tool %1=RADIUS) or in a tool table, or say that the path is already compensated (--wear-only)</source>
-        <translation>donnez-le en option de lecture (--tool %1=RADIUS) ou dans une table d’outils, ou indiquez que la trajectoire est déjà corrigée (--wear-only)</translation>
     </message>
     <message>
         <source>a number is missing</source>
@@ -5581,14 +5037,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>]= is missing</source>
         <translation>il manque ]=</translation>
-    </message>
-    <message>
-        <source>%1 is not a letter with a number</source>
-        <translation>%1 n’est pas une lettre suivie d’un nombre</translation>
-    </message>
-    <message>
-        <source>the %1 of %2 mm: %3</source>
-        <translation>%1 de %2 mm&#xa0;: %3</translation>
     </message>
     <message>
         <source>rounding</source>
@@ -5617,10 +5065,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>it is adjacent to a rapid</source>
         <translation>il touche un déplacement rapide</translation>
-    </message>
-    <message>
-        <source>it does not fit between the adjacent elements; %1 mm are used</source>
-        <translation>il ne tient pas entre les éléments voisins&#xa0;; %1 mm sont utilisés</translation>
     </message>
     <message>
         <source>the control reduces it too, by its own rule</source>
@@ -5663,10 +5107,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>une droite mène à sa fin à la place&#xa0;; terminez-la sur une droite</translation>
     </message>
     <message>
-        <source>at this block a tool of radius %1 mm cuts %2 mm into the contour of line %3</source>
-        <translation>à ce bloc, un outil de rayon %1 mm entame de %2 mm le contour de la ligne %3</translation>
-    </message>
-    <message>
         <source>use a smaller tool, or do not begin the contour in an inside corner</source>
         <translation>prenez un outil plus petit, ou ne commencez pas le contour dans un angle rentrant</translation>
     </message>
@@ -5679,16 +5119,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>elle recommence dans l’autre plan&#xa0;; terminez-la avant</translation>
     </message>
     <message>
-        <source>the arc&apos;s radius, %1 mm, is smaller than the tool&apos;s, %2 mm</source>
-        <translation>le rayon de l’arc, %1 mm, est plus petit que celui de l’outil, %2 mm</translation>
-    </message>
-    <message>
         <source>a straight line to its end is used instead, which cuts into the contour; use a smaller tool</source>
         <translation>une droite jusqu’à sa fin est utilisée à la place et entame le contour&#xa0;; prenez un outil plus petit</translation>
-    </message>
-    <message>
-        <source>a tool of radius %1 mm does not fit between this block and its neighbours</source>
-        <translation>un outil de rayon %1 mm ne tient pas entre ce bloc et ses voisins</translation>
     </message>
     <message>
         <source>the path shown cuts into the contour here; use a smaller tool</source>
@@ -5699,32 +5131,16 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>la commande ne vérifie pas cela devant un arc&#xa0;: elle parcourt une ligne à rebours, un arc presque d’un tour entier, et entame le contour&#xa0;; prenez un outil plus petit</translation>
     </message>
     <message>
-        <source>axis %1 turns in feed motions of the tool&apos;s tip</source>
-        <translation>l’axe %1 tourne pendant des déplacements en avance de la pointe de l’outil</translation>
-    </message>
-    <message>
         <source>its limits hold along each block and where blocks meet</source>
         <translation>ses limites valent le long de chaque bloc et à la jonction des blocs</translation>
-    </message>
-    <message>
-        <source>axis %1 turns in a feed motion of X, Y and Z without tool centre point control</source>
-        <translation>l’axe %1 tourne pendant un déplacement en avance de X, Y et Z sans suivi de la pointe de l’outil (RTCP)</translation>
     </message>
     <message>
         <source>X, Y and Z are shown as programmed, not as the tool moves on the part; the limits of the axis hold along each block</source>
         <translation>X, Y et Z sont affichés comme programmés, non comme l’outil se déplace sur la pièce&#xa0;; les limites de l’axe valent le long de chaque bloc</translation>
     </message>
     <message>
-        <source>axis %1 turns by %2 degrees, from %3 to %4</source>
-        <translation>l’axe %1 tourne de %2 degrés, de %3 à %4</translation>
-    </message>
-    <message>
         <source>a control whose axis takes the shortest way turns less; its time is that of the way as written</source>
         <translation>une commande dont l’axe prend le chemin le plus court tourne moins&#xa0;; son temps est celui du chemin tel qu’il est écrit</translation>
-    </message>
-    <message>
-        <source>the tool&apos;s direction and axis %1 are given in one block</source>
-        <translation>la direction de l’outil et l’axe %1 sont donnés dans un même bloc</translation>
     </message>
     <message>
         <source>the direction is used; remove one of them</source>
@@ -5755,26 +5171,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>X, Y et Z sont affichés comme programmés</translation>
     </message>
     <message>
-        <source>axis %1 moves to %2, which is not simulated</source>
-        <translation>l’axe %1 va à %2, ce qui n’est pas simulé</translation>
-    </message>
-    <message>
-        <source>axis %1 moves to %2 in a feed move, which is not simulated</source>
-        <translation>l’axe %1 va à %2 dans un déplacement en avance, ce qui n’est pas simulé</translation>
-    </message>
-    <message>
-        <source>tool orientation moves to %1, which is not simulated</source>
-        <translation>l’orientation de l’outil change, ce qui n’est pas simulé</translation>
-    </message>
-    <message>
-        <source>tool orientation moves to %1 in a feed move, which is not simulated</source>
-        <translation>l’orientation de l’outil change dans un déplacement en avance, ce qui n’est pas simulé</translation>
-    </message>
-    <message>
-        <source>%1; the time of this axis is not included, so the cycle time is too short; reported once</source>
-        <translation>%1&#xa0;; le temps de cet axe n’est pas compté, le temps de cycle est donc trop court&#xa0;; signalé une seule fois</translation>
-    </message>
-    <message>
         <source>a rounding or chamfer of a non-uniformly scaled contour is not supported</source>
         <translation>un arrondi ou chanfrein d’un contour à facteurs d’échelle inégaux n’est pas pris en charge</translation>
     </message>
@@ -5785,10 +5181,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>it is approximated by lines within 0.001 mm</source>
         <translation>elle est approchée par des droites à 0,001 mm près</translation>
-    </message>
-    <message>
-        <source>a feed move while the position of %1 is not known</source>
-        <translation>un déplacement en avance alors que la position de %1 n’est pas connue</translation>
     </message>
     <message>
         <source>the axis is assumed where it was before the move to the machine position; program it first</source>
@@ -5819,10 +5211,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>une droite jusqu’à sa fin est utilisée à la place</translation>
     </message>
     <message>
-        <source>the centre would fit as %1</source>
-        <translation>le centre conviendrait comme %1</translation>
-    </message>
-    <message>
         <source>an offset (G91.1)</source>
         <translation>décalage (G91.1)</translation>
     </message>
@@ -5833,22 +5221,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>check the centre</source>
         <translation>vérifiez le centre</translation>
-    </message>
-    <message>
-        <source>the centre would fit as %1; a straight line to its end is used instead</source>
-        <translation>le centre conviendrait comme %1&#xa0;; une droite jusqu’à sa fin est utilisée à la place</translation>
-    </message>
-    <message>
-        <source>the arc&apos;s radius is %1 mm at its start but %2 mm at its end</source>
-        <translation>le rayon de l’arc est de %1 mm au départ mais de %2 mm à la fin</translation>
-    </message>
-    <message>
-        <source>radius %1 mm is too small for ends %2 mm apart</source>
-        <translation>le rayon de %1 mm est trop petit pour des extrémités distantes de %2 mm</translation>
-    </message>
-    <message>
-        <source>the radius must be at least half the distance; %1</source>
-        <translation>le rayon doit faire au moins la moitié de la distance&#xa0;; %1</translation>
     </message>
     <message>
         <source>an arc given by its radius must not end where it starts</source>
@@ -5883,14 +5255,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>les déplacements aux vitesses suivantes n’ont ni vitesse de broche ni effort de coupe</translation>
     </message>
     <message>
-        <source>short lines lie about %1 mm from the curve that they stand for: chord error, estimated from %2 lines</source>
-        <translation>des petits segments sont à environ %1 mm de la courbe qu’ils remplacent&#xa0;: erreur de corde, estimée sur %2 segments</translation>
-    </message>
-    <message>
-        <source>Heidenhain advises a contour tolerance of 110 to 200 % of the chord error: %1 to %2 mm</source>
-        <translation>Heidenhain conseille une tolérance de contour de 110 à 200 % de l’erreur de corde&#xa0;: %1 à %2 mm</translation>
-    </message>
-    <message>
         <source>how X, Y and Z follow the rotary axes is not known without tool length and part zero</source>
         <translation>sans longueur d’outil ni origine pièce, la façon dont X, Y et Z suivent les axes rotatifs est inconnue</translation>
     </message>
@@ -5907,20 +5271,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>l’une d’elles est utilisée&#xa0;; une commande peut choisir l’autre</translation>
     </message>
     <message>
-        <source>axis %1 turns by %2 degrees within one block for a tool vector</source>
-        <translation>l’axe %1 tourne de %2 degrés dans un seul bloc pour un vecteur d’outil</translation>
-    </message>
-    <message>
         <source>a control may stop, limit the turn or go another way; near the singular position smaller steps of the tool vector, or a part that is clamped at a tilt, make it turn less</source>
         <translation>une commande peut s’arrêter, limiter la rotation ou prendre un autre chemin&#xa0;; près de la position singulière, des pas plus petits du vecteur d’outil, ou une pièce bridée inclinée, réduisent la rotation</translation>
-    </message>
-    <message>
-        <source>axis %1 holds the feed at %2 of %3 mm/min near its singular position: the tool is %4 degrees from its axis</source>
-        <translation>l’axe %1 retient l’avance à %2 sur %3 mm/min près de sa position singulière&#xa0;: l’outil est à %4 degrés de son axe</translation>
-    </message>
-    <message>
-        <source>lines %1 to %2, one of %3 such places; tilting the part by some degrees in the clamping takes the path away from it</source>
-        <translation>lignes %1 à %2, l’un de %3 endroits de ce type&#xa0;; incliner la pièce de quelques degrés dans le bridage en éloigne la trajectoire</translation>
     </message>
     <message>
         <source>the part stays as programmed: the program sends the rotary axes of one machine to angles</source>
@@ -5931,36 +5283,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>part_angle_x_deg, _y_deg et _z_deg tournent la pièce sous des programmes à vecteurs d’outil, plans inclinés ou suivi de la pointe de l’outil (RTCP)&#xa0;; repassez celui-ci au post-processeur</translation>
     </message>
     <message>
-        <source>axis %1 goes to %2 degrees, beyond its travel from %3 to %4</source>
-        <translation>l’axe %1 va à %2 degrés, au-delà de sa course de %3 à %4</translation>
-    </message>
-    <message>
         <source>the time of the whole way is counted; a control refuses the block</source>
         <translation>le temps du chemin entier est compté&#xa0;; une commande refuse le bloc</translation>
     </message>
     <message>
-        <source>no position of the rotary axes of machine &apos;%1&apos; gives the tool the direction %2, %3, %4 of the tool vector</source>
-        <translation>aucune position des axes rotatifs de la machine &apos;%1&apos; ne donne à l’outil la direction %2, %3, %4 du vecteur d’outil</translation>
-    </message>
-    <message>
-        <source>no position of the rotary axes of machine &apos;%1&apos; gives the tool the direction %2, %3, %4 of the tilted plane</source>
-        <translation>aucune position des axes rotatifs de la machine &apos;%1&apos; ne donne à l’outil la direction %2, %3, %4 du plan incliné</translation>
-    </message>
-    <message>
-        <source>no position of the rotary axes of machine &apos;%1&apos; gives the tool the direction %2, %3, %4 of the tool vector in the part as it is turned</source>
-        <translation>aucune position des axes rotatifs de la machine &apos;%1&apos; ne donne à l’outil la direction %2, %3, %4 du vecteur d’outil dans la pièce telle qu’elle est tournée</translation>
-    </message>
-    <message>
-        <source>no position of the rotary axes of machine &apos;%1&apos; gives the tool the direction %2, %3, %4 of the tilted plane in the part as it is turned</source>
-        <translation>aucune position des axes rotatifs de la machine &apos;%1&apos; ne donne à l’outil la direction %2, %3, %4 du plan incliné dans la pièce telle qu’elle est tournée</translation>
-    </message>
-    <message>
         <source>the rotary axes stay; tilt less, or choose another machine</source>
         <translation>les axes rotatifs ne bougent pas&#xa0;; inclinez moins, ou choisissez une autre machine</translation>
-    </message>
-    <message>
-        <source>no position of the rotary axes with %1 of axis %2 gives the tool the direction of the tilted plane within its travel</source>
-        <translation>aucune position des axes rotatifs avec %1 de l’axe %2 ne donne à l’outil la direction du plan incliné dans sa course</translation>
     </message>
     <message>
         <source>a positive angle</source>
@@ -5983,10 +5311,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>le côté gauche est supposé&#xa0;; programmez RL ou RR</translation>
     </message>
     <message>
-        <source>%1 is missing or zero</source>
-        <translation>%1 manque ou est nul</translation>
-    </message>
-    <message>
         <source>its length LEN</source>
         <translation>sa longueur LEN</translation>
     </message>
@@ -6001,10 +5325,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>the approach or departure is skipped</source>
         <translation>l’approche ou la sortie est ignorée</translation>
-    </message>
-    <message>
-        <source>its radius R of %1 mm on the other side is not larger than the tool radius, %2 mm</source>
-        <translation>son rayon R de %1 mm de l’autre côté n’est pas plus grand que le rayon de l’outil, %2 mm</translation>
     </message>
     <message>
         <source>the preceding block is not a line to the first point of the contour</source>
@@ -6055,10 +5375,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>une droite vers son premier point est utilisée</translation>
     </message>
     <message>
-        <source>the tool starts inside the approach arc of radius %1 mm</source>
-        <translation>l’outil part de l’intérieur de l’arc d’approche de rayon %1 mm</translation>
-    </message>
-    <message>
         <source>a line to the first point of the contour is used; start farther away or reduce R</source>
         <translation>une droite vers le premier point du contour est utilisée&#xa0;; partez de plus loin ou réduisez R</translation>
     </message>
@@ -6071,16 +5387,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>une droite vers sa fin est utilisée</translation>
     </message>
     <message>
-        <source>the departure ends inside its arc of radius %1 mm</source>
-        <translation>la sortie finit à l’intérieur de son arc de rayon %1 mm</translation>
-    </message>
-    <message>
         <source>a line to its end is used; end farther away or reduce R</source>
         <translation>une droite vers sa fin est utilisée&#xa0;; finissez plus loin ou réduisez R</translation>
-    </message>
-    <message>
-        <source>%1 belongs to another kind of motion than this block</source>
-        <translation>%1 appartient à un autre type de déplacement que ce bloc</translation>
     </message>
     <message>
         <source>it is ignored; correct the block</source>
@@ -6115,20 +5423,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>l’arc finirait droit derrière son départ</translation>
     </message>
     <message>
-        <source>an angle of %1 degrees is opposite to the direction of the arc</source>
-        <translation>un angle de %1 degrés est opposé au sens de l’arc</translation>
-    </message>
-    <message>
         <source>the sign of the angle is used; write both with the same sign</source>
         <translation>le signe de l’angle est utilisé&#xa0;; programmez les deux avec le même signe</translation>
-    </message>
-    <message>
-        <source>rounding %1 mm is zero or negative</source>
-        <translation>l’arrondi de %1 mm est nul ou négatif</translation>
-    </message>
-    <message>
-        <source>chamfer %1 mm is zero or negative</source>
-        <translation>le chanfrein de %1 mm est nul ou négatif</translation>
     </message>
     <message>
         <source>a tool direction (TX TY TZ) without M128 or FUNCTION TCPM</source>
@@ -6137,10 +5433,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>the rotary axes stay; switch tool centre point control on before it</source>
         <translation>les axes rotatifs ne bougent pas&#xa0;; activez avant le suivi de la pointe de l’outil (RTCP)</translation>
-    </message>
-    <message>
-        <source>%1 is not an approach or departure</source>
-        <translation>%1 n’est ni une approche ni une sortie</translation>
     </message>
     <message>
         <source>it is skipped; write LT, LN, CT, LCT or the polar forms with P before them</source>
@@ -6163,10 +5455,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>des coordonnées avant le premier de G0 à G16</translation>
     </message>
     <message>
-        <source>%1 is not a word of this block</source>
-        <translation>%1 n’est pas un mot de ce bloc</translation>
-    </message>
-    <message>
         <source>the block is skipped; correct it</source>
         <translation>le bloc est ignoré&#xa0;; corrigez-le</translation>
     </message>
@@ -6183,16 +5471,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>les normales à la surface et les directions d’outil (LN) ne sont pas prises en charge</translation>
     </message>
     <message>
-        <source>FT%1 (time of the block) is not supported</source>
-        <translation>FT%1 (durée du bloc) n’est pas pris en charge</translation>
-    </message>
-    <message>
         <source>the last feed stays in force</source>
         <translation>la dernière avance reste en vigueur</translation>
-    </message>
-    <message>
-        <source>R%1 (extension by the tool radius) is not supported</source>
-        <translation>R%1 (prolongement du rayon d’outil) n’est pas pris en charge</translation>
     </message>
     <message>
         <source>the position is shown as programmed</source>
@@ -6207,10 +5487,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>la commande refuse un tel brut&#xa0;; la trajectoire n’en dépend pas</translation>
     </message>
     <message>
-        <source>scaling factor %1 is not from 0.000001 to 99.999999</source>
-        <translation>le facteur d’échelle %1 n’est pas compris entre 0,000001 et 99,999999</translation>
-    </message>
-    <message>
         <source>the scaling is ignored</source>
         <translation>la mise à l’échelle est ignorée</translation>
     </message>
@@ -6221,10 +5497,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>it is applied in the untilted system; cancel the tilt before it, or shift in the tilted plane only</source>
         <translation>il s’applique dans le système non incliné&#xa0;; annulez l’inclinaison avant, ou ne décalez que dans le plan incliné</translation>
-    </message>
-    <message>
-        <source>%1 changes the datum after a motion</source>
-        <translation>%1 change le point d’origine après un déplacement</translation>
     </message>
     <message>
         <source>cycle 247</source>
@@ -6279,36 +5551,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>le plan dépend de la machine&#xa0;; ils sont lus comme des angles dans l’espace, comme dans PLANE SPATIAL</translation>
     </message>
     <message>
-        <source>%1 is not X, Y or Z</source>
-        <translation>%1 n’est ni X, ni Y, ni Z</translation>
-    </message>
-    <message>
         <source>the transformation is ignored</source>
         <translation>la transformation est ignorée</translation>
     </message>
     <message>
-        <source>%1: the radius of the tool is not known</source>
-        <translation>%1&#xa0;: le rayon de l’outil n’est pas connu</translation>
-    </message>
-    <message>
-        <source>the path shown is the programmed contour; %1, or write a TOOL DEF with R before the tool call</source>
-        <translation>la trajectoire affichée est le contour programmé&#xa0;; %1, ou programmez un TOOL DEF avec R avant l’appel de l’outil</translation>
-    </message>
-    <message>
-        <source>program %1 was not found in the same folder</source>
-        <translation>le programme %1 n’a pas été trouvé dans le même dossier</translation>
-    </message>
-    <message>
         <source>its motion is skipped; copy the file into this folder</source>
         <translation>son déplacement est ignoré&#xa0;; copiez le fichier dans ce dossier</translation>
-    </message>
-    <message>
-        <source>program %1 is in another dialect, %2</source>
-        <translation>le programme %1 est d’un autre dialecte, %2</translation>
-    </message>
-    <message>
-        <source>%1 is the angle of a rotary axis that the control calculates for a tilted plane</source>
-        <translation>%1 est l’angle d’un axe rotatif que la commande calcule pour un plan incliné</translation>
     </message>
     <message>
         <source>0 is used; X, Y and Z are shown in the tilted plane</source>
@@ -6319,24 +5567,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>le rayon d’outil Q108 n’est pas connu</translation>
     </message>
     <message>
-        <source>0 is used; give it as an import option (--tool %1=RADIUS) or in a tool table, or write a TOOL DEF with R before the tool call</source>
-        <translation>0 est utilisé&#xa0;; donnez-le comme option de lecture (--tool %1=RADIUS) ou dans une table d’outils, ou programmez un TOOL DEF avec R avant l’appel d’outil</translation>
-    </message>
-    <message>
-        <source>0 is used; give it as an import option (--tool =RADIUS) or in a tool table, or write a TOOL DEF with R before the tool call</source>
-        <translation>0 est utilisé&#xa0;; donnez-le comme option de lecture (--tool =RADIUS) ou dans une table d’outils, ou programmez un TOOL DEF avec R avant l’appel d’outil</translation>
-    </message>
-    <message>
-        <source>%1 has no value</source>
-        <translation>%1 n’a pas de valeur</translation>
-    </message>
-    <message>
         <source>0 is used; the control may still have another value, assign one first</source>
         <translation>0 est utilisé&#xa0;; la commande peut encore avoir une autre valeur, affectez-en une d’abord</translation>
-    </message>
-    <message>
-        <source>%1 is not valid in %2</source>
-        <translation>%1 n’est pas valable dans %2</translation>
     </message>
     <message>
         <source>a tool call</source>
@@ -6359,56 +5591,28 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>écrivez-le &quot;NOM&quot;</translation>
     </message>
     <message>
-        <source>%1 is not a label</source>
-        <translation>%1 n’est pas une étiquette</translation>
-    </message>
-    <message>
         <source>write a whole number from 1 to 65535 or a name in quotes</source>
         <translation>programmez un nombre entier de 1 à 65535 ou un nom entre guillemets</translation>
-    </message>
-    <message>
-        <source>label %1 is defined twice</source>
-        <translation>l’étiquette %1 est définie deux fois</translation>
     </message>
     <message>
         <source>the first one is used; a control refuses such a program</source>
         <translation>la première est utilisée&#xa0;; une commande refuse un tel programme</translation>
     </message>
     <message>
-        <source>label %1 does not exist</source>
-        <translation>l’étiquette %1 n’existe pas</translation>
-    </message>
-    <message>
         <source>the jump or call is skipped</source>
         <translation>le saut ou l’appel est ignoré</translation>
-    </message>
-    <message>
-        <source>%1 is not a text</source>
-        <translation>%1 n’est pas un texte</translation>
     </message>
     <message>
         <source>the assignment is skipped; write &quot;...&quot; or QS parameters, joined by ||</source>
         <translation>l’affectation est ignorée&#xa0;; programmez &quot;...&quot; ou des paramètres QS, reliés par ||</translation>
     </message>
     <message>
-        <source>%1 is not an assignment</source>
-        <translation>%1 n’est pas une affectation</translation>
-    </message>
-    <message>
         <source>it is skipped; write Q1 = 5</source>
         <translation>il est ignoré&#xa0;; programmez Q1 = 5</translation>
     </message>
     <message>
-        <source>%1 does not belong to the formula</source>
-        <translation>%1 ne fait pas partie de la formule</translation>
-    </message>
-    <message>
         <source>the value before it is assigned; correct the formula</source>
         <translation>la valeur qui le précède est affectée&#xa0;; corrigez la formule</translation>
-    </message>
-    <message>
-        <source>function %1 has no finite value for %2 and %3</source>
-        <translation>la fonction %1 n’a pas de valeur finie pour %2 et %3</translation>
     </message>
     <message>
         <source>the program stops here with an error (FN 14)</source>
@@ -6419,24 +5623,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>le reste est ignoré&#xa0;; vérifiez les valeurs qui mènent ici</translation>
     </message>
     <message>
-        <source>FN %1 is not supported</source>
-        <translation>FN %1 n’est pas pris en charge</translation>
-    </message>
-    <message>
         <source>what it writes to the machine or reads from a table is not known</source>
         <translation>ce qu’il écrit vers la machine ou lit dans une table n’est pas connu</translation>
-    </message>
-    <message>
-        <source>parameter %1 does not exist</source>
-        <translation>le paramètre %1 n’existe pas</translation>
-    </message>
-    <message>
-        <source>the last one is Q%1</source>
-        <translation>le dernier est Q%1</translation>
-    </message>
-    <message>
-        <source>the parameter&apos;s value %1 is beyond the largest number, 1000000000</source>
-        <translation>la valeur du paramètre, %1, dépasse le plus grand nombre admis, 1000000000</translation>
     </message>
     <message>
         <source>the block is skipped; check how the parameter is calculated</source>
@@ -6447,40 +5635,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>il manque un nombre à la fin du bloc</translation>
     </message>
     <message>
-        <source>%1 is not a number or parameter</source>
-        <translation>%1 n’est ni un nombre ni un paramètre</translation>
-    </message>
-    <message>
         <source>the block is skipped; write a number or a Q parameter here</source>
         <translation>le bloc est ignoré&#xa0;; programmez ici un nombre ou un paramètre Q</translation>
     </message>
     <message>
-        <source>%1 holds a text, not a number</source>
-        <translation>%1 contient un texte, non un nombre</translation>
-    </message>
-    <message>
         <source>texts are not converted to numbers; write the number</source>
         <translation>les textes ne sont pas convertis en nombres&#xa0;; programmez le nombre</translation>
-    </message>
-    <message>
-        <source>FN 18 reads ID%1 NR%2 IDX%3, which depends on the machine</source>
-        <translation>FN 18 lit ID%1 NR%2 IDX%3, ce qui dépend de la machine</translation>
-    </message>
-    <message>
-        <source>%1 is set to 0; assign the value of your machine instead</source>
-        <translation>%1 est mis à 0&#xa0;; affectez plutôt la valeur de votre machine</translation>
-    </message>
-    <message>
-        <source>FN 18 reads the position of %1 before the program has moved it</source>
-        <translation>FN 18 lit la position de %1 avant que le programme ne l’ait déplacé</translation>
-    </message>
-    <message>
-        <source>%1 is set to the start position, which is assumed as zero; assign the value of your machine instead</source>
-        <translation>%1 est mis à la position de départ, supposée nulle&#xa0;; affectez plutôt la valeur de votre machine</translation>
-    </message>
-    <message>
-        <source>cycle %1 is not executed: %2</source>
-        <translation>le cycle %1 n’est pas exécuté&#xa0;: %2</translation>
     </message>
     <message>
         <source>its depth Q201 is above the surface; write it negative</source>
@@ -6531,48 +5691,24 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>écrivez les paramètres comme Q200=2</translation>
     </message>
     <message>
-        <source>PREDEF for %1 without a GLOBAL DEF</source>
-        <translation>PREDEF pour %1 sans GLOBAL DEF</translation>
-    </message>
-    <message>
         <source>write a number, or the GLOBAL DEF before it</source>
         <translation>programmez un nombre, ou le GLOBAL DEF avant</translation>
-    </message>
-    <message>
-        <source>this value of %1 is not supported</source>
-        <translation>cette valeur de %1 n’est pas prise en charge</translation>
     </message>
     <message>
         <source>write a number</source>
         <translation>programmez un nombre</translation>
     </message>
     <message>
-        <source>cycle %1 has no value for Q%2</source>
-        <translation>le cycle %1 n’a pas de valeur pour Q%2</translation>
-    </message>
-    <message>
         <source>the cycle is skipped; write all of its parameters</source>
         <translation>le cycle est ignoré&#xa0;; programmez tous ses paramètres</translation>
-    </message>
-    <message>
-        <source>cycle %1: Q%2 is %3, beyond the largest number, 1000000000</source>
-        <translation>cycle %1&#xa0;: Q%2 vaut %3, au-delà du plus grand nombre admis, 1000000000</translation>
     </message>
     <message>
         <source>the cycle is skipped</source>
         <translation>le cycle est ignoré</translation>
     </message>
     <message>
-        <source>cycle %1: Q395=1 measures the depth to the cylinder of the drill</source>
-        <translation>cycle %1&#xa0;: Q395=1 mesure la profondeur jusqu’au cylindre du foret</translation>
-    </message>
-    <message>
         <source>the length of its point is in the tool table; the depth is shown as that of the tip</source>
         <translation>la longueur de sa pointe est dans la table d’outils&#xa0;; la profondeur est affichée comme celle de la pointe</translation>
-    </message>
-    <message>
-        <source>cycle %1 (%2) is not supported</source>
-        <translation>le cycle %1 (%2) n’est pas pris en charge</translation>
     </message>
     <message>
         <source>it does not move by itself</source>
@@ -6591,16 +5727,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>l’appel est ignoré</translation>
     </message>
     <message>
-        <source>cycle %1: Q%2 is %3, not a number of places from 1 to %4</source>
-        <translation>cycle %1&#xa0;: Q%2 vaut %3, ce n’est pas un nombre d’emplacements de 1 à %4</translation>
-    </message>
-    <message>
         <source>the pattern is skipped</source>
         <translation>le motif est ignoré</translation>
-    </message>
-    <message>
-        <source>cycle %1 repeats a cycle, but none is defined</source>
-        <translation>le cycle %1 répète un cycle, mais aucun n’est défini</translation>
     </message>
     <message>
         <source>the pattern is skipped; define a cycle from 200 to 209 or 240 before it</source>
@@ -6615,16 +5743,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>les trous sont justes, le chemin entre eux est affiché droit</translation>
     </message>
     <message>
-        <source>%1 is not a number of places from 1 to %2</source>
-        <translation>%1 n’est pas un nombre d’emplacements de 1 à %2</translation>
-    </message>
-    <message>
         <source>the pattern is skipped; check NUM, NUMX and NUMY</source>
         <translation>le motif est ignoré&#xa0;; vérifiez NUM, NUMX et NUMY</translation>
-    </message>
-    <message>
-        <source>%1 is not a pattern</source>
-        <translation>%1 n’est pas un motif</translation>
     </message>
     <message>
         <source>the pattern is skipped; write POS, ROW, PAT, FRAME, CIRC or PITCHCIRC</source>
@@ -6639,14 +5759,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>programmez POS1 (X+5 Y+5 Z+0)</translation>
     </message>
     <message>
-        <source>dwell time %1 is beyond 1000000000 s</source>
-        <translation>la temporisation %1 dépasse 1000000000 s</translation>
-    </message>
-    <message>
-        <source>feed F%1 is zero or negative</source>
-        <translation>l’avance F%1 est nulle ou négative</translation>
-    </message>
-    <message>
         <source>a feed per tooth without the number of teeth, which is in the tool table</source>
         <translation>une avance par dent sans le nombre de dents, qui est dans la table d’outils</translation>
     </message>
@@ -6655,20 +5767,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>une dent est supposée&#xa0;; programmez F ou FU</translation>
     </message>
     <message>
-        <source>the tolerance T%1 is below zero</source>
-        <translation>la tolérance T%1 est négative</translation>
-    </message>
-    <message>
         <source>the tolerance in force stays</source>
         <translation>la tolérance en vigueur est conservée</translation>
     </message>
     <message>
         <source>it is skipped; write R</source>
         <translation>il est ignoré&#xa0;; programmez R</translation>
-    </message>
-    <message>
-        <source>G%1 is not supported in this dialect</source>
-        <translation>G%1 n’est pas pris en charge dans ce dialecte</translation>
     </message>
     <message>
         <source>the block is skipped; the control may run another path</source>
@@ -6755,10 +5859,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>F vaut à la pointe, et les angles sont ceux des axes</translation>
     </message>
     <message>
-        <source>%1; reported once</source>
-        <translation>%1&#xa0;; signalé une seule fois</translation>
-    </message>
-    <message>
         <source>this form of tilted working plane</source>
         <translation>cette forme de plan de travail incliné</translation>
     </message>
@@ -6807,36 +5907,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>accès à un fichier</translation>
     </message>
     <message>
-        <source>%1 is not a statement of this dialect</source>
-        <translation>%1 n’est pas une instruction de ce dialecte</translation>
-    </message>
-    <message>
         <source>it is skipped; if the program has another dialect, give it with --dialect</source>
         <translation>il est ignoré&#xa0;; si le programme est d’un autre dialecte, indiquez-le avec --dialect</translation>
-    </message>
-    <message>
-        <source>M%1 calls program %2, which is neither in the program nor in a file in its folder</source>
-        <translation>M%1 appelle le programme %2, qui n’est ni dans le programme ni dans un fichier de son dossier</translation>
-    </message>
-    <message>
-        <source>M%1 calls file %2, which is neither in the program nor in a file in its folder</source>
-        <translation>M%1 appelle le fichier %2, qui n’est ni dans le programme ni dans un fichier de son dossier</translation>
-    </message>
-    <message>
-        <source>macro program %1 is called, which is neither in the program nor in a file in its folder</source>
-        <translation>le macroprogramme %1 est appelé, mais n’est ni dans le programme ni dans un fichier de son dossier</translation>
-    </message>
-    <message>
-        <source>o%1 is called, which is neither in the program nor in a file in its folder</source>
-        <translation>o%1 est appelé, mais n’est ni dans le programme ni dans un fichier de son dossier</translation>
-    </message>
-    <message>
-        <source>its motion is missing; add the file &quot;%1&quot; to the program&apos;s folder</source>
-        <translation>son déplacement manque&#xa0;; ajoutez le fichier &quot;%1&quot; au dossier du programme</translation>
-    </message>
-    <message>
-        <source>M%1 without P</source>
-        <translation>M%1 sans P</translation>
     </message>
     <message>
         <source>nothing is called; write P with the number of the subprogram</source>
@@ -6851,40 +5923,20 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>rien n’est appelé&#xa0;; programmez P avec le numéro N du premier bloc</translation>
     </message>
     <message>
-        <source>jump target N%1 does not exist</source>
-        <translation>la cible de saut N%1 n’existe pas</translation>
-    </message>
-    <message>
         <source>the jump is skipped; correct the number</source>
         <translation>le saut est ignoré&#xa0;; corrigez le numéro</translation>
-    </message>
-    <message>
-        <source>the program repeats from N%1 without end</source>
-        <translation>le programme se répète sans fin depuis N%1</translation>
     </message>
     <message>
         <source>one pass is shown</source>
         <translation>un seul passage est affiché</translation>
     </message>
     <message>
-        <source>L%1 is not a number of times from 0 to %2</source>
-        <translation>L%1 n’est pas un nombre de fois de 0 à %2</translation>
-    </message>
-    <message>
         <source>it is run once</source>
         <translation>il est exécuté une fois</translation>
     </message>
     <message>
-        <source>G%1 without %2</source>
-        <translation>G%1 sans %2</translation>
-    </message>
-    <message>
         <source>nothing is called; write P with the macro&apos;s number</source>
         <translation>rien n’est appelé&#xa0;; programmez P avec le numéro de la macro</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a variable number</source>
-        <translation>&quot;%1&quot; n’est pas un numéro de variable</translation>
     </message>
     <message>
         <source>the block does not move; variable numbers are whole and start at 0</source>
@@ -6919,28 +5971,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>le bloc n’a pas de déplacement&#xa0;; corrigez le mot ou programmez un simple nombre</translation>
     </message>
     <message>
-        <source>the comment %1 is not closed</source>
-        <translation>le commentaire %1 n’est pas fermé</translation>
-    </message>
-    <message>
         <source>the rest of the line is used as the comment; add the closing bracket</source>
         <translation>le reste de la ligne est pris comme commentaire&#xa0;; ajoutez la parenthèse fermante</translation>
     </message>
     <message>
-        <source>%1 does not start a word</source>
-        <translation>%1 ne commence pas un mot</translation>
-    </message>
-    <message>
-        <source>byte 0x%1</source>
-        <translation>l’octet 0x%1</translation>
-    </message>
-    <message>
         <source>the rest of the line is skipped and the block does not move; remove the character</source>
         <translation>le reste de la ligne est ignoré et le bloc n’a pas de déplacement&#xa0;; supprimez le caractère</translation>
-    </message>
-    <message>
-        <source>%1 has no %2</source>
-        <translation>%1 n’a pas de %2</translation>
     </message>
     <message>
         <source>loop around it</source>
@@ -6959,16 +5995,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>il est ignoré&#xa0;; vérifiez les étiquettes</translation>
     </message>
     <message>
-        <source>%1 follows a statement</source>
-        <translation>%1 suit une instruction</translation>
-    </message>
-    <message>
         <source>it is skipped; write it in a line of its own</source>
         <translation>il est ignoré&#xa0;; programmez-le sur une ligne à part</translation>
-    </message>
-    <message>
-        <source>%1 is not an O word</source>
-        <translation>%1 n’est pas un mot O</translation>
     </message>
     <message>
         <source>the line is skipped; O words are sub, call, if, while, do, repeat and their ends</source>
@@ -6991,16 +6019,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>il est ignoré&#xa0;; un sous-programme s’écrit entre sub et endsub</translation>
     </message>
     <message>
-        <source>a sub inside the sub of line %1</source>
-        <translation>un sub à l’intérieur du sub de la ligne %1</translation>
-    </message>
-    <message>
         <source>LinuxCNC rejects the program; write one subprogram after the other</source>
         <translation>LinuxCNC refuse le programme&#xa0;; écrivez les sous-programmes l’un après l’autre</translation>
-    </message>
-    <message>
-        <source>%1 writes to a device</source>
-        <translation>%1 écrit vers un périphérique</translation>
     </message>
     <message>
         <source>it does not change the path</source>
@@ -7013,10 +6033,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>the line is skipped; complete it</source>
         <translation>la ligne est ignorée&#xa0;; complétez-la</translation>
-    </message>
-    <message>
-        <source>%1 is not a word of ISO programs</source>
-        <translation>%1 n’est pas un mot des programmes ISO</translation>
     </message>
     <message>
         <source>the block does not move; if the program has another dialect, give it with --dialect</source>
@@ -7035,40 +6051,20 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>programmez sa valeur</translation>
     </message>
     <message>
-        <source>#%1 is read-only</source>
-        <translation>#%1 est en lecture seule</translation>
-    </message>
-    <message>
         <source>the assignment is skipped; use another variable</source>
         <translation>l’affectation est ignorée&#xa0;; prenez une autre variable</translation>
-    </message>
-    <message>
-        <source>#%1 is a control-internal value</source>
-        <translation>#%1 est une valeur interne de la commande</translation>
     </message>
     <message>
         <source>0 is used; the control may run another path</source>
         <translation>0 est utilisé&#xa0;; la commande peut suivre une autre trajectoire</translation>
     </message>
     <message>
-        <source>#%1 has not been set by the program</source>
-        <translation>#%1 n’a pas été défini par le programme</translation>
-    </message>
-    <message>
         <source>0 is used; on the control it keeps its last value</source>
         <translation>0 est utilisé&#xa0;; sur la commande, elle garde sa dernière valeur</translation>
     </message>
     <message>
-        <source>#&lt;%1&gt; has not been set</source>
-        <translation>#&lt;%1&gt; n’a pas été défini</translation>
-    </message>
-    <message>
         <source>the block does not move; set it before, or check how the name is written</source>
         <translation>le bloc n’a pas de déplacement&#xa0;; définissez-la avant, ou vérifiez l’orthographe du nom</translation>
-    </message>
-    <message>
-        <source>the program raises alarm %1</source>
-        <translation>le programme déclenche l’alarme %1</translation>
     </message>
     <message>
         <source>the control stops here; check the condition that leads to it</source>
@@ -7079,10 +6075,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>la trajectoire affichée est le contour programmé&#xa0;; programmez D avec le diamètre de l’outil</translation>
     </message>
     <message>
-        <source>G%1 without D: the radius of the tool is not known</source>
-        <translation>G%1 sans D&#xa0;: le rayon de l’outil n’est pas connu</translation>
-    </message>
-    <message>
         <source>the path shown is the programmed contour; write T and M6 before it, or D</source>
         <translation>la trajectoire affichée est le contour programmé&#xa0;; programmez T et M6 avant, ou D</translation>
     </message>
@@ -7091,24 +6083,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>la trajectoire affichée est le contour programmé&#xa0;; programmez D avec le correcteur de l’outil</translation>
     </message>
     <message>
-        <source>the radius of offset D%1 is not known</source>
-        <translation>le rayon du correcteur D%1 n’est pas connu</translation>
-    </message>
-    <message>
-        <source>the path shown is the programmed contour; %1, or set it with G10 L12 P%2 R</source>
-        <translation>la trajectoire affichée est le contour programmé&#xa0;; %1, ou définissez-le par G10 L12 P%2 R</translation>
-    </message>
-    <message>
         <source>the radius is ignored; write P with the tool&apos;s number</source>
         <translation>le rayon est ignoré&#xa0;; programmez P avec le numéro de l’outil</translation>
-    </message>
-    <message>
-        <source>%1 is selected after motion in %2</source>
-        <translation>%1 est choisi après un déplacement dans %2</translation>
-    </message>
-    <message>
-        <source>P%1 is not a work offset number from %2 to %3</source>
-        <translation>P%1 n’est pas un numéro de décalage d’origine de %2 à %3</translation>
     </message>
     <message>
         <source>the block has no effect on the path</source>
@@ -7131,10 +6107,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>G68 avec I0 J0 K0 n’a pas d’axe de rotation</translation>
     </message>
     <message>
-        <source>G68.2 P%1 (tilted working plane by points, vectors or projection angles) is not supported</source>
-        <translation>G68.2 P%1 (plan de travail incliné par points, vecteurs ou angles de projection) n’est pas pris en charge</translation>
-    </message>
-    <message>
         <source>the working plane is tilted</source>
         <translation>le plan de travail est incliné</translation>
     </message>
@@ -7149,10 +6121,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>turning is not supported: X is used as a radius, G98 and G99 as those of drilling cycles</source>
         <translation>le tournage n’est pas pris en charge&#xa0;: X est lu comme un rayon, G98 et G99 comme ceux des cycles de perçage</translation>
-    </message>
-    <message>
-        <source>scale factor %1 is zero</source>
-        <translation>le facteur d’échelle %1 est nul</translation>
     </message>
     <message>
         <source>G92 gives coordinates to a position that is not known</source>
@@ -7175,24 +6143,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>rien ne se déplace</translation>
     </message>
     <message>
-        <source>%1 without a decimal point is used as %2 inch</source>
-        <translation>%1 sans point décimal est lu comme %2 pouce(s)</translation>
-    </message>
-    <message>
-        <source>%1 without a decimal point is used as %2 mm</source>
-        <translation>%1 sans point décimal est lu comme %2 mm</translation>
-    </message>
-    <message>
         <source>many controls use it in units of 0.0001 inch; write a decimal point</source>
         <translation>beaucoup de commandes le lisent en unités de 0,0001 pouce&#xa0;; écrivez un point décimal</translation>
     </message>
     <message>
         <source>many controls use it in units of 0.001 mm; write a decimal point</source>
         <translation>beaucoup de commandes le lisent en unités de 0,001 mm&#xa0;; écrivez un point décimal</translation>
-    </message>
-    <message>
-        <source>%1 in a block with X or Y</source>
-        <translation>%1 dans un bloc avec X ou Y</translation>
     </message>
     <message>
         <source>X and Y are ignored; write either of them</source>
@@ -7215,100 +6171,44 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>les positions sont ignorées jusqu’au prochain G0 à G3</translation>
     </message>
     <message>
-        <source>G%1 begins while the position of %2 is not known</source>
-        <translation>G%1 commence alors que la position de %2 n’est pas connue</translation>
-    </message>
-    <message>
         <source>the tool returns to R after each hole; program the height before the cycle</source>
         <translation>l’outil revient à R après chaque trou&#xa0;; programmez la hauteur avant le cycle</translation>
-    </message>
-    <message>
-        <source>G%1 without %2, the bottom of the hole</source>
-        <translation>G%1 sans %2, le fond du trou</translation>
     </message>
     <message>
         <source>the hole is skipped; program it in the cycle&apos;s first block</source>
         <translation>le trou est ignoré&#xa0;; programmez-le dans le premier bloc du cycle</translation>
     </message>
     <message>
-        <source>G%1 without R, the retract plane</source>
-        <translation>G%1 sans R, le plan de retrait</translation>
-    </message>
-    <message>
         <source>the level before the cycle is used; program it in the cycle&apos;s first block</source>
         <translation>le niveau d’avant le cycle est utilisé&#xa0;; programmez-le dans le premier bloc du cycle</translation>
-    </message>
-    <message>
-        <source>the bottom of the hole at %1 %2 mm is on the wrong side of R %3 mm</source>
-        <translation>le fond du trou à %1 %2 mm est du mauvais côté de R %3 mm</translation>
     </message>
     <message>
         <source>the hole is skipped; correct one of them</source>
         <translation>le trou est ignoré&#xa0;; corrigez l’un des deux</translation>
     </message>
     <message>
-        <source>the direction in which %1 retracts from the wall is a control setting</source>
-        <translation>la direction dans laquelle %1 s’écarte de la paroi est un réglage de la commande</translation>
-    </message>
-    <message>
         <source>the positive direction of the plane&apos;s first axis is used</source>
         <translation>la direction positive du premier axe du plan est utilisée</translation>
-    </message>
-    <message>
-        <source>%1 is not a number of repeats from 0 to %2</source>
-        <translation>%1 n’est pas un nombre de répétitions de 0 à %2</translation>
     </message>
     <message>
         <source>the cycle runs once</source>
         <translation>le cycle est exécuté une fois</translation>
     </message>
     <message>
-        <source>G%1 with pecks of %2 mm</source>
-        <translation>G%1 avec des passes de débourrage de %2 mm</translation>
-    </message>
-    <message>
         <source>the hole is drilled in one infeed; write Q with the depth of a peck</source>
         <translation>le trou est percé en une passe&#xa0;; programmez Q avec la profondeur d’une passe</translation>
-    </message>
-    <message>
-        <source>G%1 (hole pattern) needs an active drilling cycle, I and L</source>
-        <translation>G%1 (motif de trous) demande un cycle de perçage actif, I et L</translation>
     </message>
     <message>
         <source>nothing is drilled; for the units inch and mm program G20 or G21</source>
         <translation>rien n’est percé&#xa0;; pour les unités pouce et mm, programmez G20 ou G21</translation>
     </message>
     <message>
-        <source>dwell time %1 is negative</source>
-        <translation>la temporisation %1 est négative</translation>
-    </message>
-    <message>
         <source>the dwell is skipped</source>
         <translation>la temporisation est ignorée</translation>
     </message>
     <message>
-        <source>P%1 without a decimal point is used as %2 milliseconds</source>
-        <translation>P%1 sans point décimal est lu comme %2 millisecondes</translation>
-    </message>
-    <message>
-        <source>write P%1.0 for seconds</source>
-        <translation>programmez P%1.0 pour des secondes</translation>
-    </message>
-    <message>
-        <source>P%1 is used as %2 seconds, as in %3</source>
-        <translation>P%1 est lu comme %2 secondes, comme dans %3</translation>
-    </message>
-    <message>
-        <source>%1 without a decimal point is used as %2 seconds</source>
-        <translation>%1 sans point décimal est lu comme %2 secondes</translation>
-    </message>
-    <message>
         <source>many controls use it in units of 0.001 s; write a decimal point</source>
         <translation>beaucoup de commandes le lisent en unités de 0,001 s&#xa0;; programmez un point décimal</translation>
-    </message>
-    <message>
-        <source>for a control that takes milliseconds, write P%1</source>
-        <translation>pour une commande qui compte en millisecondes, programmez P%1</translation>
     </message>
     <message>
         <source>G4 without a time</source>
@@ -7327,28 +6227,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>rien ne change&#xa0;; programmez M70 avant</translation>
     </message>
     <message>
-        <source>%1 is not a known G word</source>
-        <translation>%1 n’est pas un mot G connu</translation>
-    </message>
-    <message>
         <source>it is ignored; the control may run another path</source>
         <translation>il est ignoré&#xa0;; la commande peut suivre une autre trajectoire</translation>
-    </message>
-    <message>
-        <source>%1 (%2) is not supported</source>
-        <translation>%1 (%2) n’est pas pris en charge</translation>
-    </message>
-    <message>
-        <source>%1 and %2 exclude each other in one block</source>
-        <translation>%1 et %2 s’excluent dans un même bloc</translation>
-    </message>
-    <message>
-        <source>%1 is used; remove the other</source>
-        <translation>%1 est utilisé&#xa0;; supprimez l’autre</translation>
-    </message>
-    <message>
-        <source>%1 exceeds the 8 G words of coordinates that a block can have</source>
-        <translation>%1 dépasse les 8 mots G de coordonnées qu’un bloc peut avoir</translation>
     </message>
     <message>
         <source>it is skipped; write it in a block of its own</source>
@@ -7359,24 +6239,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>M428 est lu comme dans les configurations à cinq axes de LinuxCNC&#xa0;: X, Y et Z sont la pointe de l’outil</translation>
     </message>
     <message>
-        <source>M%1 is read as in LinuxCNC&apos;s own five-axis configurations: X, Y and Z are those of the machine</source>
-        <translation>M%1 est lu comme dans les configurations à cinq axes de LinuxCNC&#xa0;: X, Y et Z sont ceux de la machine</translation>
-    </message>
-    <message>
         <source>a configuration may remap it otherwise</source>
         <translation>une configuration peut le redéfinir autrement</translation>
-    </message>
-    <message>
-        <source>F%1 is in %2/min: LinuxCNC sets the feed before %3 of the same block changes the unit</source>
-        <translation>F%1 est en %2/min&#xa0;: LinuxCNC règle l’avance avant que %3 du même bloc ne change l’unité</translation>
-    </message>
-    <message>
-        <source>write %1 in a block before it, or give --unit %2 if the control starts so</source>
-        <translation>programmez %1 dans un bloc précédent, ou donnez --unit %2 si la commande démarre ainsi</translation>
-    </message>
-    <message>
-        <source>feed F%1 is not above zero</source>
-        <translation>l’avance F%1 n’est pas supérieure à zéro</translation>
     </message>
     <message>
         <source>the last valid feed stays in force; write a feed above zero</source>
@@ -7395,24 +6259,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>seul le modèle klipper la suit</translation>
     </message>
     <message>
-        <source>%1 is a command or macro of Klipper</source>
-        <translation>%1 est une commande ou une macro de Klipper</translation>
-    </message>
-    <message>
         <source>what it moves is not known and missing</source>
         <translation>ce qu’elle déplace n’est pas connu et manque</translation>
-    </message>
-    <message>
-        <source>%1 is programmed twice in this block</source>
-        <translation>%1 est programmé deux fois dans ce bloc</translation>
-    </message>
-    <message>
-        <source>G10 L%1 (data setting) is not supported</source>
-        <translation>G10 L%1 (écriture de données) n’est pas pris en charge</translation>
-    </message>
-    <message>
-        <source>%1 is a control command</source>
-        <translation>%1 est une commande du pupitre</translation>
     </message>
     <message>
         <source>E (extruder) is not supported</source>
@@ -7427,10 +6275,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>seul le modèle klipper le compte</translation>
     </message>
     <message>
-        <source>%1 has no meaning in this block</source>
-        <translation>%1 n’a pas de sens dans ce bloc</translation>
-    </message>
-    <message>
         <source>it is skipped</source>
         <translation>il est ignoré</translation>
     </message>
@@ -7443,16 +6287,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>des mots de position avant le premier G0, G1, G2 ou G3</translation>
     </message>
     <message>
-        <source>position words before the first G0, G1, G2 or G3: %1 stops here with an error</source>
-        <translation>des mots de position avant le premier G0, G1, G2 ou G3&#xa0;: %1 s’arrête ici avec une erreur</translation>
-    </message>
-    <message>
         <source>position words after G80 without a new G0, G1, G2 or G3</source>
         <translation>des mots de position après G80 sans nouveau G0, G1, G2 ou G3</translation>
-    </message>
-    <message>
-        <source>position words after G80 without a new G0, G1, G2 or G3: %1 stops here with an error</source>
-        <translation>des mots de position après G80 sans nouveau G0, G1, G2 ou G3&#xa0;: %1 s’arrête ici avec une erreur</translation>
     </message>
     <message>
         <source>G0 is used; write the G word</source>
@@ -7465,14 +6301,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>the last F is used; write F in every such block</source>
         <translation>le dernier F est utilisé&#xa0;; programmez F dans chacun de ces blocs</translation>
-    </message>
-    <message>
-        <source>a rounding or chamfer of %1 is not above zero</source>
-        <translation>un arrondi ou chanfrein de %1 n’est pas supérieur à zéro</translation>
-    </message>
-    <message>
-        <source>,%1 in a block that is not a line or an arc</source>
-        <translation>,%1 dans un bloc qui n’est ni une droite ni un arc</translation>
     </message>
     <message>
         <source>the corner stays sharp; write it in the G1, G2 or G3 block that ends at the corner</source>
@@ -7491,16 +6319,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>R est utilisé&#xa0;; supprimez l’un des deux</translation>
     </message>
     <message>
-        <source>P%1 is not a number of turns from 1 to %2</source>
-        <translation>P%1 n’est pas un nombre de tours de 1 à %2</translation>
-    </message>
-    <message>
         <source>one turn is used</source>
         <translation>un tour est utilisé</translation>
-    </message>
-    <message>
-        <source>%1 is perpendicular to the plane of the arc</source>
-        <translation>%1 est perpendiculaire au plan de l’arc</translation>
     </message>
     <message>
         <source>it is ignored; check whether G17, G18 or G19 is missing</source>
@@ -7509,10 +6329,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>its parameters exist only in the control; set acceleration and jerk of the machine instead</source>
         <translation>ses paramètres n’existent que dans la commande&#xa0;; réglez plutôt l’accélération et le jerk de la machine</translation>
-    </message>
-    <message>
-        <source>tolerance %1 of %2 is negative</source>
-        <translation>la tolérance %1 de %2 est négative</translation>
     </message>
     <message>
         <source>it is ignored; write a tolerance of zero or more</source>
@@ -7531,28 +6347,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>les positions sont ignorées jusqu’au prochain G0 à G3&#xa0;; programmez G5.2 et G5.3</translation>
     </message>
     <message>
-        <source>G%1 without %2 and %3</source>
-        <translation>G%1 sans %2 ni %3</translation>
-    </message>
-    <message>
         <source>a control point of G5.2 without a weight above zero</source>
         <translation>un point de contrôle de G5.2 sans poids supérieur à zéro</translation>
     </message>
     <message>
         <source>1 is used; write P with the weight</source>
         <translation>1 est utilisé&#xa0;; programmez P avec le poids</translation>
-    </message>
-    <message>
-        <source>order L%1 of G5.2 is above %2</source>
-        <translation>l’ordre L%1 de G5.2 dépasse %2</translation>
-    </message>
-    <message>
-        <source>%1 is taken</source>
-        <translation>%1 est utilisé</translation>
-    </message>
-    <message>
-        <source>order P%1 of G6.2 is not from %2 to %3</source>
-        <translation>l’ordre P%1 de G6.2 n’est pas compris entre %2 et %3</translation>
     </message>
     <message>
         <source>4 is taken</source>
@@ -7567,24 +6367,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>1 est utilisé&#xa0;; programmez R avec le poids</translation>
     </message>
     <message>
-        <source>G6.2 of order %1 with %2 control points and %3 knots K</source>
-        <translation>G6.2 d’ordre %1 avec %2 points de contrôle et %3 nœuds K</translation>
-    </message>
-    <message>
         <source>a straight line to the last point is used instead; write as many non-decreasing K as points and order together</source>
         <translation>une droite jusqu’au dernier point est utilisée à la place&#xa0;; programmez autant de K non décroissants que la somme des points et de l’ordre</translation>
     </message>
     <message>
-        <source>G5.2 with %1 control points is too short for order %2</source>
-        <translation>G5.2 avec %1 points de contrôle est trop court pour l’ordre %2</translation>
-    </message>
-    <message>
         <source>a straight line to the last one is used instead</source>
         <translation>une droite jusqu’au dernier est utilisée à la place</translation>
-    </message>
-    <message>
-        <source>G5.2 in line %1 is not closed by G5.3</source>
-        <translation>G5.2 de la ligne %1 n’est pas fermé par G5.3</translation>
     </message>
     <message>
         <source>the curve ends at its last control point</source>
@@ -7711,24 +6499,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>décalage d’origine dynamique</translation>
     </message>
     <message>
-        <source>%1 does not name a subprogram</source>
-        <translation>%1 ne désigne pas un sous-programme</translation>
-    </message>
-    <message>
         <source>write its number with digits only, as in L12; nothing is called</source>
         <translation>écrivez son numéro en chiffres seuls, comme L12&#xa0;; rien n’est appelé</translation>
     </message>
     <message>
-        <source>FOR cannot count with %1</source>
-        <translation>FOR ne peut pas compter avec %1</translation>
-    </message>
-    <message>
         <source>use an R parameter or a variable defined by DEF INT</source>
         <translation>prenez un paramètre R ou une variable définie par DEF INT</translation>
-    </message>
-    <message>
-        <source>%1 is not a supported type</source>
-        <translation>%1 n’est pas un type pris en charge</translation>
     </message>
     <message>
         <source>write REAL, INT, BOOL, CHAR, STRING, AXIS or FRAME; the variables are not defined</source>
@@ -7751,32 +6527,16 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>son nom est appelé comme un sous-programme&#xa0;; programmez DEFINE NOM AS G0 X5</translation>
     </message>
     <message>
-        <source>%1 after PROC is not an attribute</source>
-        <translation>%1 après PROC n’est pas un attribut</translation>
-    </message>
-    <message>
         <source>write the parameters in brackets, then attributes such as SAVE</source>
         <translation>écrivez les paramètres entre parenthèses, puis des attributs comme SAVE</translation>
-    </message>
-    <message>
-        <source>%1 is not a parameter</source>
-        <translation>%1 n’est pas un paramètre</translation>
     </message>
     <message>
         <source>write a type and a name</source>
         <translation>écrivez un type et un nom</translation>
     </message>
     <message>
-        <source>parameter %1 has no value</source>
-        <translation>le paramètre %1 n’a pas de valeur</translation>
-    </message>
-    <message>
         <source>0 is used; call the program with a value</source>
         <translation>0 est utilisé&#xa0;; appelez le programme avec une valeur</translation>
-    </message>
-    <message>
-        <source>array parameter %1 has %2 elements, the argument has %3</source>
-        <translation>le paramètre tableau %1 a %2 éléments, l’argument en a %3</translation>
     </message>
     <message>
         <source>pass an array of the same type and size</source>
@@ -7785,14 +6545,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>the frame does not change; write CTRANS, CROT, CSCALE, CMIRROR with axes and values, joined by &quot;:&quot;, or a variable that holds a frame</source>
         <translation>le frame ne change pas&#xa0;; programmez CTRANS, CROT, CSCALE, CMIRROR avec axes et valeurs, reliés par &quot;:&quot;, ou une variable qui contient un frame</translation>
-    </message>
-    <message>
-        <source>%1 is not a settable frame from 0 to %2</source>
-        <translation>%1 n’est pas un frame réglable de 0 à %2</translation>
-    </message>
-    <message>
-        <source>%1 is not a part of a frame (TR, FI, RT, SC, MI)</source>
-        <translation>%1 n’est pas une partie de frame (TR, FI, RT, SC, MI)</translation>
     </message>
     <message>
         <source>a scale factor is zero</source>
@@ -7805,14 +6557,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>in $P_PFRAME only shifts of X, Y and Z (TR, FI) can be set individually</source>
         <translation>dans $P_PFRAME, seuls les décalages de X, Y et Z (TR, FI) se règlent séparément</translation>
-    </message>
-    <message>
-        <source>%1 is not a supported frame</source>
-        <translation>%1 n’est pas un frame pris en charge</translation>
-    </message>
-    <message>
-        <source>%1 is a control-internal value</source>
-        <translation>%1 est une valeur interne de la commande</translation>
     </message>
     <message>
         <source>an axis is missing here</source>
@@ -7831,22 +6575,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>définissez les frames un par un</translation>
     </message>
     <message>
-        <source>the program does not define %1</source>
-        <translation>le programme ne définit pas %1</translation>
-    </message>
-    <message>
-        <source>the block does not move; define data of the machine (GUD) at the program&apos;s top, &quot;DEF REAL %1=&quot;</source>
-        <translation>le bloc n’a pas de déplacement&#xa0;; définissez les données de la machine (GUD) en tête du programme, &quot;DEF REAL %1=&quot;</translation>
-    </message>
-    <message>
-        <source>R%1 is not an R parameter from R0 to R%2</source>
-        <translation>R%1 n’est pas un paramètre R de R0 à R%2</translation>
-    </message>
-    <message>
-        <source>R%1 is used before the program sets it</source>
-        <translation>R%1 est utilisé avant que le programme ne le définisse</translation>
-    </message>
-    <message>
         <source>0 is used; the control has a value of its own</source>
         <translation>0 est utilisé&#xa0;; la commande a sa propre valeur</translation>
     </message>
@@ -7855,16 +6583,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>programmez &apos;H1F&apos; ou &apos;B101&apos;</translation>
     </message>
     <message>
-        <source>text %1 is not a number</source>
-        <translation>le texte %1 n’est pas un nombre</translation>
-    </message>
-    <message>
         <source>compare texts with == or &lt;&gt;</source>
         <translation>comparez les textes par == ou &lt;&gt;</translation>
-    </message>
-    <message>
-        <source>value %1 is above the largest number, 1000000000</source>
-        <translation>la valeur %1 dépasse le plus grand nombre admis, 1000000000</translation>
     </message>
     <message>
         <source>the block does not move; correct the expression</source>
@@ -7887,28 +6607,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>ajoutez le guillemet fermant</translation>
     </message>
     <message>
-        <source>%1 is not a number of array elements from 1 to %2</source>
-        <translation>%1 n’est pas un nombre d’éléments de tableau de 1 à %2</translation>
-    </message>
-    <message>
         <source>correct the size</source>
         <translation>corrigez la taille</translation>
     </message>
     <message>
-        <source>%1 has no element %2, its largest index is %3</source>
-        <translation>%1 n’a pas d’élément %2, son plus grand indice est %3</translation>
-    </message>
-    <message>
         <source>correct the index or the size in DEF</source>
         <translation>corrigez l’indice ou la taille dans DEF</translation>
-    </message>
-    <message>
-        <source>&quot;the array&quot; has no element %1, its largest index is %2</source>
-        <translation>le tableau n’a pas d’élément %1, son plus grand indice est %2</translation>
-    </message>
-    <message>
-        <source>assignment to %1 is not supported</source>
-        <translation>l’affectation de %1 n’est pas prise en charge</translation>
     </message>
     <message>
         <source>the path does not change</source>
@@ -7919,16 +6623,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>une action synchrone n’est pas prise en charge</translation>
     </message>
     <message>
-        <source>%1 is not a known variable, address or axis</source>
-        <translation>%1 n’est ni une variable, ni une adresse, ni un axe connus</translation>
-    </message>
-    <message>
         <source>its value is ignored; define a variable by DEF before it is used</source>
         <translation>sa valeur est ignorée&#xa0;; définissez une variable par DEF avant de l’utiliser</translation>
-    </message>
-    <message>
-        <source>%1 does not start a word or statement</source>
-        <translation>%1 ne commence ni mot ni instruction</translation>
     </message>
     <message>
         <source>the rest of the line is skipped and the block does not move; correct it</source>
@@ -7947,10 +6643,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>le bloc n’a pas de déplacement&#xa0;; corrigez le nombre</translation>
     </message>
     <message>
-        <source>the coordinates are used for %1 and nothing moves; write a block for each</source>
-        <translation>les coordonnées servent à %1 et rien ne se déplace&#xa0;; programmez un bloc pour chacun</translation>
-    </message>
-    <message>
         <source>RET with a jump target is not supported</source>
         <translation>RET avec une cible de saut n’est pas pris en charge</translation>
     </message>
@@ -7963,36 +6655,16 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>ISOCALL (appel d’un programme en dialecte ISO) n’est pas pris en charge</translation>
     </message>
     <message>
-        <source>%1 is not a subprogram</source>
-        <translation>%1 n’est pas un sous-programme</translation>
-    </message>
-    <message>
         <source>write the name of a subprogram</source>
         <translation>écrivez le nom d’un sous-programme</translation>
-    </message>
-    <message>
-        <source>cycle %1 is not supported</source>
-        <translation>le cycle %1 n’est pas pris en charge</translation>
-    </message>
-    <message>
-        <source>subprogram %1 is neither in the program nor a file in its folder</source>
-        <translation>le sous-programme %1 n’est ni dans le programme ni un fichier de son dossier</translation>
     </message>
     <message>
         <source>its motion is skipped; add it to the program or to its folder</source>
         <translation>son déplacement est ignoré&#xa0;; ajoutez-le au programme ou à son dossier</translation>
     </message>
     <message>
-        <source>%1 has no matching start or end</source>
-        <translation>%1 n’a pas de début ou de fin correspondants</translation>
-    </message>
-    <message>
         <source>the line is skipped; check IF, ELSE, ENDIF and the starts and ends of loops</source>
         <translation>la ligne est ignorée&#xa0;; vérifiez IF, ELSE, ENDIF et les débuts et fins de boucle</translation>
-    </message>
-    <message>
-        <source>%1 after a condition is not a jump</source>
-        <translation>%1 après une condition n’est pas un saut</translation>
     </message>
     <message>
         <source>write GOTOF, GOTOB or GOTO with a label, or nothing, after the condition</source>
@@ -8005,18 +6677,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>write FOR I=1 TO 10</source>
         <translation>programmez FOR I=1 TO 10</translation>
-    </message>
-    <message>
-        <source>label %1 does not exist in the program</source>
-        <translation>l’étiquette %1 n’existe pas dans le programme</translation>
-    </message>
-    <message>
-        <source>label %1 does not exist after this line</source>
-        <translation>l’étiquette %1 n’existe pas après cette ligne</translation>
-    </message>
-    <message>
-        <source>label %1 does not exist before this line</source>
-        <translation>l’étiquette %1 n’existe pas avant cette ligne</translation>
     </message>
     <message>
         <source>the jump is skipped; check the label and the direction of the jump</source>
@@ -8055,10 +6715,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>rien n’est répété&#xa0;; vérifiez l’étiquette</translation>
     </message>
     <message>
-        <source>TURN=%1 is not a number of turns from 0 to %2</source>
-        <translation>TURN=%1 n’est pas un nombre de tours de 0 à %2</translation>
-    </message>
-    <message>
         <source>no extra turn is used</source>
         <translation>aucun tour de plus n’est fait</translation>
     </message>
@@ -8075,10 +6731,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>l’arc n’a ni centre (I, J, K) ni rayon (CR)</translation>
     </message>
     <message>
-        <source>opening angle AR=%1 is not between 0 and 360 degrees</source>
-        <translation>l’angle d’ouverture AR=%1 n’est pas entre 0 et 360 degrés</translation>
-    </message>
-    <message>
         <source>start, intermediate point (I1, J1, K1) and end of CIP are on one line</source>
         <translation>le départ, le point intermédiaire (I1, J1, K1) et la fin de CIP sont alignés</translation>
     </message>
@@ -8087,28 +6739,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>CT sans déplacement précédent dans son plan</translation>
     </message>
     <message>
-        <source>tool radius %1 is negative</source>
-        <translation>le rayon d’outil %1 est négatif</translation>
-    </message>
-    <message>
         <source>it is ignored; write a radius of zero or more</source>
         <translation>il est ignoré&#xa0;; programmez un rayon nul ou positif</translation>
-    </message>
-    <message>
-        <source>G41 without a tool: its radius is not known</source>
-        <translation>G41 sans outil&#xa0;: son rayon n’est pas connu</translation>
-    </message>
-    <message>
-        <source>G42 without a tool: its radius is not known</source>
-        <translation>G42 sans outil&#xa0;: son rayon n’est pas connu</translation>
-    </message>
-    <message>
-        <source>%1: the radius of T%2 D%3 is not known</source>
-        <translation>%1&#xa0;: le rayon de T%2 D%3 n’est pas connu</translation>
-    </message>
-    <message>
-        <source>the path shown is the programmed contour; %1, or set it with $TC_DP6[T,D]=</source>
-        <translation>la trajectoire affichée est le contour programmé&#xa0;; %1, ou définissez-le par $TC_DP6[T,D]=</translation>
     </message>
     <message>
         <source>the combined frames are out of range</source>
@@ -8119,20 +6751,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>tous sont remis à zéro&#xa0;; vérifiez les frames additifs dans les boucles</translation>
     </message>
     <message>
-        <source>G%1 is selected after motion in G%2</source>
-        <translation>G%1 est choisi après un déplacement dans G%2</translation>
-    </message>
-    <message>
-        <source>RNDM=%1 is negative</source>
-        <translation>RNDM=%1 est négatif</translation>
-    </message>
-    <message>
         <source>corners stay sharp; write a radius or 0</source>
         <translation>les angles restent vifs&#xa0;; programmez un rayon ou 0</translation>
-    </message>
-    <message>
-        <source>a rounding or chamfer of %1 is negative</source>
-        <translation>un arrondi ou chanfrein de %1 est négatif</translation>
     </message>
     <message>
         <source>a rounding or chamfer in a block without a line or arc</source>
@@ -8143,68 +6763,32 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>l’angle reste vif&#xa0;; programmez-le dans le bloc qui finit dans l’angle</translation>
     </message>
     <message>
-        <source>an increment of %1 after a change of frame also traverses the change, %2 mm</source>
-        <translation>un incrément de %1 après un changement de frame parcourt aussi ce changement, %2 mm</translation>
-    </message>
-    <message>
         <source>as on controls with setting data 42440 at 1, the default; else program it absolute</source>
         <translation>comme sur les commandes dont la donnée de réglage 42440 vaut 1, le réglage d’origine&#xa0;; sinon programmez-le en absolu</translation>
-    </message>
-    <message>
-        <source>ANG=%1 needs exactly one coordinate of the plane</source>
-        <translation>ANG=%1 demande exactement une coordonnée du plan</translation>
-    </message>
-    <message>
-        <source>a line at ANG=%1 does not reach the given coordinate</source>
-        <translation>une droite à ANG=%1 n’atteint pas la coordonnée donnée</translation>
     </message>
     <message>
         <source>the line ends at the given coordinates; program its end</source>
         <translation>la droite finit aux coordonnées données&#xa0;; programmez sa fin</translation>
     </message>
     <message>
-        <source>the depth of CYCLE%1 at the tool&apos;s diameter or shank is not supported</source>
-        <translation>la profondeur de CYCLE%1 au diamètre ou à la queue de l’outil n’est pas prise en charge</translation>
-    </message>
-    <message>
         <source>it is used as the depth of the tip</source>
         <translation>elle est lue comme la profondeur de la pointe</translation>
-    </message>
-    <message>
-        <source>%1 is not a number of holes from 1 to %2</source>
-        <translation>%1 n’est pas un nombre de trous de 1 à %2</translation>
     </message>
     <message>
         <source>the holes are skipped; correct the number</source>
         <translation>les trous sont ignorés&#xa0;; corrigez le nombre</translation>
     </message>
     <message>
-        <source>subprogram %1 at a pattern of holes is not supported</source>
-        <translation>le sous-programme %1 sur un motif de trous n’est pas pris en charge</translation>
-    </message>
-    <message>
         <source>its motion is skipped; call it after single positions</source>
         <translation>son déplacement est ignoré&#xa0;; appelez-le après des positions isolées</translation>
-    </message>
-    <message>
-        <source>CYCLE832 with tolerance %1 and code %2 is out of range</source>
-        <translation>CYCLE832 avec la tolérance %1 et le code %2 dépasse les bornes</translation>
     </message>
     <message>
         <source>it is ignored; write a tolerance of zero or more and a code from 0 to 99999999</source>
         <translation>il est ignoré&#xa0;; programmez une tolérance nulle ou positive et un code de 0 à 99999999</translation>
     </message>
     <message>
-        <source>CYCLE832 with tolerance %1 and machining type 0 switches its settings off</source>
-        <translation>CYCLE832 avec la tolérance %1 et le type d’usinage 0 désactive ses réglages</translation>
-    </message>
-    <message>
         <source>write the type as the second value: 1 finishing, 2 semi-finishing, 3 roughing</source>
         <translation>programmez le type en deuxième valeur&#xa0;: 1 finition, 2 semi-finition, 3 ébauche</translation>
-    </message>
-    <message>
-        <source>CYCLE800 with mode %1 is not supported</source>
-        <translation>CYCLE800 avec le mode %1 n’est pas pris en charge</translation>
     </message>
     <message>
         <source>the plane is shown without rotation; program angles about one axis after the other</source>
@@ -8223,10 +6807,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>la temporisation est ignorée&#xa0;; programmez F en secondes ou S en tours</translation>
     </message>
     <message>
-        <source>a dwell of %1 revolutions without a spindle speed</source>
-        <translation>une temporisation de %1 tours sans vitesse de broche</translation>
-    </message>
-    <message>
         <source>the dwell is skipped; write S in a block before it</source>
         <translation>la temporisation est ignorée&#xa0;; programmez S dans un bloc précédent</translation>
     </message>
@@ -8235,20 +6815,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>G1 est utilisé&#xa0;; programmez le mot G</translation>
     </message>
     <message>
-        <source>%1 (thread) is shown as a line</source>
-        <translation>%1 (filetage) est affiché comme une droite</translation>
-    </message>
-    <message>
         <source>its feed is lead times spindle speed; the run-up of the spindle is not shown</source>
         <translation>son avance est le pas multiplié par la vitesse de broche&#xa0;; la montée en vitesse de la broche n’est pas montrée</translation>
-    </message>
-    <message>
-        <source>ADIS=%1 is negative</source>
-        <translation>ADIS=%1 est négatif</translation>
-    </message>
-    <message>
-        <source>ADISPOS=%1 is negative</source>
-        <translation>ADISPOS=%1 est négatif</translation>
     </message>
     <message>
         <source>write a distance of zero or more; the block does not move</source>
@@ -8257,10 +6825,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>a denominator of polynomials is not supported</source>
         <translation>un dénominateur de polynômes n’est pas pris en charge</translation>
-    </message>
-    <message>
-        <source>a polynomial of axis %1 is not supported</source>
-        <translation>un polynôme de l’axe %1 n’est pas pris en charge</translation>
     </message>
     <message>
         <source>X, Y and Z are shown without it</source>
@@ -8293,10 +6857,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>each axis moves at its own speed, set by FA or the machine</source>
         <translation>chaque axe se déplace à sa propre vitesse, fixée par FA ou par la machine</translation>
-    </message>
-    <message>
-        <source>weight PW=%1 is not above zero</source>
-        <translation>le poids PW=%1 n’est pas supérieur à zéro</translation>
     </message>
     <message>
         <source>1 is used</source>
@@ -8539,60 +7099,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>fonction du constructeur de la machine</translation>
     </message>
     <message>
-        <source>tolerance %1 mm of CYCLE832 is below %2 mm</source>
-        <translation>la tolérance de %1 mm de CYCLE832 est inférieure à %2 mm</translation>
-    </message>
-    <message>
-        <source>tolerance %1 of %2 is below %3 mm</source>
-        <translation>la tolérance %1 de %2 est inférieure à %3 mm</translation>
-    </message>
-    <message>
-        <source>the tolerance T%1 is below %2 mm</source>
-        <translation>la tolérance T%1 est inférieure à %2 mm</translation>
-    </message>
-    <message>
-        <source>give it as an import option (--tool =RADIUS) or in a tool table, or say that the path is already compensated (--wear-only)</source>
-        <translation>donnez-le en option de lecture (--tool =RADIUS) ou dans une table d’outils, ou indiquez que la trajectoire est déjà corrigée (--wear-only)</translation>
-    </message>
-    <message>
-        <source>a motion of %1 km is longer than any machine makes</source>
-        <translation>un déplacement de %1 km est plus long que sur toute machine</translation>
-    </message>
-    <message>
-        <source>%1 goes to %2 km, beyond the travel of any machine</source>
-        <translation>%1 va à %2 km, au-delà de la course de toute machine</translation>
-    </message>
-    <message>
-        <source>%1 days pass up to this line, which runs at F%2 mm/min: more than a year</source>
-        <translation>%1 jours passent jusqu’à cette ligne, parcourue à F%2 mm/min&#xa0;: plus d’un an</translation>
-    </message>
-    <message>
-        <source>%1 days pass up to this line, which waits for %2 of them: more than a year</source>
-        <translation>%1 jours passent jusqu’à cette ligne, dont %2 d’attente dans celle-ci&#xa0;: plus d’un an</translation>
-    </message>
-    <message>
-        <source>a rotary axis goes to %1 degrees, beyond what any machine turns</source>
-        <translation>un axe rotatif va à %1 degrés, plus que ne tourne aucune machine</translation>
-    </message>
-    <message>
         <source>the program is not simulated; check the number, its decimal point and the unit</source>
         <translation>le programme n’est pas simulé&#xa0;; vérifiez le nombre, son point décimal et l’unité</translation>
     </message>
     <message>
-        <source>%1, line %2: %3; the program is not simulated; check the number, its decimal point and the unit</source>
-        <translation>%1, ligne %2&#xa0;: %3&#xa0;; le programme n’est pas simulé&#xa0;; vérifiez le nombre, son point décimal et l’unité</translation>
-    </message>
-    <message>
-        <source>%1, line %2: %3; the program is not simulated: check its loops, raise the limit (--repeat-limit), or simulate the part that was read (--simulate-cut-off)</source>
-        <translation>%1, ligne %2&#xa0;: %3&#xa0;; le programme n’est pas simulé&#xa0;: vérifiez ses boucles, augmentez la limite (--repeat-limit), ou simulez la partie lue (--simulate-cut-off)</translation>
-    </message>
-    <message>
         <source>there is no model of a Fanuc: that of another control runs its limits</source>
         <translation>il n’y a pas de modèle de Fanuc&#xa0;: celui d’une autre commande applique ses limites</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a parameter; it is skipped</source>
-        <translation>&apos;%1&apos; n’est pas un paramètre&#xa0;; il est ignoré</translation>
     </message>
     <message>
         <source>the machine measures in inches (1001, bit 0), in which parameters are not imported; all limits are assumed</source>
@@ -8609,18 +7121,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>add parameter 1020</source>
         <translation>ajoutez le paramètre 1020</translation>
-    </message>
-    <message>
-        <source>there is no linear axis %1; its limits are assumed</source>
-        <translation>il n’y a pas d’axe linéaire %1&#xa0;; ses limites sont supposées</translation>
-    </message>
-    <message>
-        <source>%1 is the cutting feed without look-ahead control; that with it, %2, is used</source>
-        <translation>%1 est l’avance de coupe sans commande anticipée&#xa0;; celle avec elle, %2, est utilisée</translation>
-    </message>
-    <message>
-        <source>%1 (%2) is not modelled</source>
-        <translation>%1 (%2) n’est pas modélisé</translation>
     </message>
     <message>
         <source>time constant of rapids</source>
@@ -8663,28 +7163,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>variation d’accélération passée sans ralentir</translation>
     </message>
     <message>
-        <source>not used: %1</source>
-        <translation>non utilisé&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>not used: %1 and %2 more</source>
-        <translation>non utilisé&#xa0;: %1 et %2 de plus</translation>
-    </message>
-    <message>
         <source>indices 0, 1 and 2 are taken as X, Y and Z</source>
         <translation>les indices 0, 1 et 2 sont pris comme X, Y et Z</translation>
     </message>
     <message>
         <source>exchange the axes in the machine file where that is not so</source>
         <translation>échangez les axes dans le fichier machine si ce n’est pas le cas</translation>
-    </message>
-    <message>
-        <source>the acceleration along the path, %1 m/s2, is not modelled: those of the axes hold</source>
-        <translation>l’accélération le long de la trajectoire, %1 m/s², n’est pas modélisée&#xa0;: celles des axes valent</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a machine parameter; it is skipped</source>
-        <translation>&apos;%1&apos; n’est pas un paramètre machine&#xa0;; il est ignoré</translation>
     </message>
     <message>
         <source>the basic system is inch, in which machine data are not imported; all limits are assumed</source>
@@ -8695,14 +7179,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>exportez les données machine avec MD10240 = 1</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no machine datum; skipped</source>
-        <translation>&apos;%1&apos; n’est pas une donnée machine&#xa0;; ignoré</translation>
-    </message>
-    <message>
-        <source>machine axis %1 would be %2 but is a rotary axis; its limits are assumed</source>
-        <translation>l’axe machine %1 serait %2 mais est un axe rotatif&#xa0;; ses limites sont supposées</translation>
-    </message>
-    <message>
         <source>which machine axes X, Y and Z are is not told; AX1, AX2 and AX3 are assumed</source>
         <translation>il n’est pas dit quels axes machine sont X, Y et Z&#xa0;; AX1, AX2 et AX3 sont supposés</translation>
     </message>
@@ -8711,16 +7187,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>ajoutez MD20050 à MD20080 du canal</translation>
     </message>
     <message>
-        <source>%1 holds with %2; the value of DYNNORM, %3, is used</source>
-        <translation>%1 vaut avec %2&#xa0;; la valeur de DYNNORM, %3, est utilisée</translation>
-    </message>
-    <message>
         <source>change it in the machine file for programs that finish with another mode</source>
         <translation>changez-la dans le fichier machine pour les programmes qui finissent dans un autre mode</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a setting; it is skipped</source>
-        <translation>&apos;%1&apos; n’est pas un réglage&#xa0;; il est ignoré</translation>
     </message>
     <message>
         <source>the settings are numbered as in grbl 0.8 and before, which is not supported</source>
@@ -8743,32 +7211,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>les axes autres que X, Y et Z ne font pas partie de la simulation&#xa0;; ignorés</translation>
     </message>
     <message>
-        <source>%1, but %2 in %3; %4 is used</source>
-        <translation>%1, mais %2 dans %3&#xa0;; %4 est utilisé</translation>
-    </message>
-    <message>
         <source>remove one of the two</source>
         <translation>supprimez l’un des deux</translation>
-    </message>
-    <message>
-        <source>%1 is simulated as grbl with its values; what it does otherwise is not modelled</source>
-        <translation>%1 est simulé comme grbl avec ses valeurs&#xa0;; ce qu’il fait autrement n’est pas modélisé</translation>
-    </message>
-    <message>
-        <source>%1: &apos;%2&apos; is not a value; it is skipped</source>
-        <translation>%1&#xa0;: &apos;%2&apos; n’est pas une valeur&#xa0;; elle est ignorée</translation>
-    </message>
-    <message>
-        <source>%1 exceeds %2 (%3); the lower one is used</source>
-        <translation>%1 dépasse %2 (%3)&#xa0;; la plus petite est utilisée</translation>
-    </message>
-    <message>
-        <source>acceleration of travel moves %1 is not modelled: they have that of the others</source>
-        <translation>l’accélération des déplacements à vide %1 n’est pas modélisée&#xa0;: ils ont celle des autres</translation>
-    </message>
-    <message>
-        <source>there is no model of %1: Klipper&apos;s runs its limits; its look-ahead has no end, while that of the firmware has some 16 blocks, so that short blocks may take longer there</source>
-        <translation>il n’y a pas de modèle de %1&#xa0;: celui de Klipper applique ses limites&#xa0;; son anticipation est sans fin, alors que celle du micrologiciel compte quelque 16 blocs, des blocs courts peuvent donc y prendre plus de temps</translation>
     </message>
     <message>
         <source>section [printer] is missing; its limits are assumed</source>
@@ -8779,36 +7223,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>importez le fichier que Klipper lit lui-même, printer.cfg</translation>
     </message>
     <message>
-        <source>%1 must be above %2: Klipper does not start with it</source>
-        <translation>%1 doit être supérieur à %2&#xa0;: Klipper ne démarre pas ainsi</translation>
-    </message>
-    <message>
-        <source>%1 exceeds %2 = %3 (%4): Klipper does not start with it</source>
-        <translation>%1 dépasse %2 = %3 (%4)&#xa0;: Klipper ne démarre pas ainsi</translation>
-    </message>
-    <message>
-        <source>lower %1</source>
-        <translation>réduisez %1</translation>
-    </message>
-    <message>
         <source>there is no section [gcode_arcs]: this Klipper does not know G2 and G3, while the model runs them</source>
         <translation>il n’y a pas de section [gcode_arcs]&#xa0;: ce Klipper ne connaît pas G2 et G3, alors que le modèle les exécute</translation>
     </message>
     <message>
         <source>add [gcode_arcs], or let the CAM system write lines</source>
         <translation>ajoutez [gcode_arcs], ou faites écrire des droites par la FAO</translation>
-    </message>
-    <message>
-        <source>kinematics %1 are not modelled: limits hold along the path, and those of Z alone</source>
-        <translation>la cinématique %1 n’est pas modélisée&#xa0;: les limites valent le long de la trajectoire, et celles de Z seules</translation>
-    </message>
-    <message>
-        <source>[printer] %1 is not used here; skipped</source>
-        <translation>[printer] %1 n’est pas utilisé ici&#xa0;; ignoré</translation>
-    </message>
-    <message>
-        <source>did you mean &apos;%1&apos;?</source>
-        <translation>vouliez-vous dire &apos;%1&apos; ?</translation>
     </message>
     <message>
         <source>input shaping is not modelled: it smooths the motion and takes no longer on the whole</source>
@@ -8823,100 +7243,24 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>écrivez LINEAR_UNITS = mm ou inch</translation>
     </message>
     <message>
-        <source>LINEAR_UNITS = %1 is not a unit; mm is assumed</source>
-        <translation>LINEAR_UNITS = %1 n’est pas une unité&#xa0;; le mm est supposé</translation>
-    </message>
-    <message>
-        <source>kinematics %1 is not modelled: X, Y and Z are treated as axes of their own</source>
-        <translation>la cinématique %1 n’est pas modélisée&#xa0;: X, Y et Z sont traités comme des axes indépendants</translation>
-    </message>
-    <message>
-        <source>axis %1 is not part of the simulation; skipped</source>
-        <translation>l’axe %1 ne fait pas partie de la simulation&#xa0;; ignoré</translation>
-    </message>
-    <message>
-        <source>[%1] gives no %2; that of [%3] is assumed</source>
-        <translation>[%1] ne donne pas %2&#xa0;; celui de [%3] est supposé</translation>
-    </message>
-    <message>
-        <source>write %1 into [%2]: LinuxCNC does not take it from the joint</source>
-        <translation>écrivez %1 dans [%2]&#xa0;: LinuxCNC ne le prend pas de l’articulation (joint)</translation>
-    </message>
-    <message>
-        <source>%1 of axis %2 is missing; it is assumed</source>
-        <translation>%1 de l’axe %2 manque&#xa0;; il est supposé</translation>
-    </message>
-    <message>
-        <source>write %1 into [%2]</source>
-        <translation>écrivez %1 dans [%2]</translation>
-    </message>
-    <message>
-        <source>[%1] %2 = %3 exceeds [%4] %5 = %6 (%7); the planner uses %8</source>
-        <translation>[%1] %2 = %3 dépasse [%4] %5 = %6 (%7)&#xa0;; le planificateur utilise %8</translation>
-    </message>
-    <message>
         <source>the joint cannot follow there: lower the limit of the axis</source>
         <translation>l’articulation (joint) ne peut pas suivre&#xa0;: réduisez la limite de l’axe</translation>
-    </message>
-    <message>
-        <source>[TRAJ] %1 = %2 is not modelled; the model computes with %3</source>
-        <translation>[TRAJ] %1 = %2 n’est pas modélisé&#xa0;; le modèle calcule avec %3</translation>
-    </message>
-    <message>
-        <source>P of G64 in the start-up code has no effect on blends in LinuxCNC 2.9; P%1 is used for joining blocks alone</source>
-        <translation>P de G64 dans le code de démarrage n’a pas d’effet sur les raccords dans LinuxCNC 2.9&#xa0;; P%1 ne sert qu’à réunir des blocs</translation>
     </message>
     <message>
         <source>write G64 P into the program, or set blend_tolerance_mm if your release takes it</source>
         <translation>programmez G64 P dans le programme, ou réglez blend_tolerance_mm si votre version en tient compte</translation>
     </message>
     <message>
-        <source>[%1] %2 is not known; skipped</source>
-        <translation>[%1] %2 n’est pas connu&#xa0;; ignoré</translation>
-    </message>
-    <message>
-        <source>the offsets of %1 are not in the INI file; 0 is assumed</source>
-        <translation>les décalages de %1 ne sont pas dans le fichier INI&#xa0;; 0 est supposé</translation>
-    </message>
-    <message>
         <source>write them into the machine file: [kinematics], &apos;point&apos; of each axis</source>
         <translation>écrivez-les dans le fichier machine&#xa0;: [kinematics], &apos;point&apos; de chaque axe</translation>
-    </message>
-    <message>
-        <source>%1 of axis %2 cannot be used: %3</source>
-        <translation>%1 de l’axe %2 n’est pas utilisable&#xa0;: %3</translation>
-    </message>
-    <message>
-        <source>%1 cannot be used: %2</source>
-        <translation>%1 n’est pas utilisable&#xa0;: %2</translation>
     </message>
     <message>
         <source>correct the file of the control; until then the value is assumed</source>
         <translation>corrigez le fichier de la commande&#xa0;; d’ici là, la valeur est supposée</translation>
     </message>
     <message>
-        <source>%1: &apos;%2&apos; is not a number</source>
-        <translation>%1&#xa0;: &apos;%2&apos; n’est pas un nombre</translation>
-    </message>
-    <message>
-        <source>%1 more notes are not listed</source>
-        <translation>%1 remarques de plus ne sont pas affichées</translation>
-    </message>
-    <message>
         <source>correct what is listed, and import the file once more</source>
         <translation>corrigez ce qui est affiché, puis importez de nouveau le fichier</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not the configuration of a control that can be imported; known: %2</source>
-        <translation>&apos;%1&apos; n’est pas la configuration d’une commande qui puisse être importée&#xa0;; connues&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is neither a section nor a value; skipped</source>
-        <translation>&apos;%1&apos; n’est ni une section ni une valeur&#xa0;; ignoré</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; cannot be included: %2</source>
-        <translation>&apos;%1&apos; ne peut pas être inclus&#xa0;: %2</translation>
     </message>
     <message>
         <source>values that stand there are missing here</source>
@@ -8935,64 +7279,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>il s’inclut lui-même</translation>
     </message>
     <message>
-        <source>more than %1 files deep</source>
-        <translation>plus de %1 fichiers imbriqués</translation>
-    </message>
-    <message>
-        <source>more than %1 files</source>
-        <translation>plus de %1 fichiers</translation>
-    </message>
-    <message>
-        <source>&apos;&apos; cannot be included: no file is named</source>
-        <translation>&apos;&apos; ne peut pas être inclus&#xa0;: aucun fichier n’est nommé</translation>
-    </message>
-    <message>
-        <source>%1 = %2 is out of bounds; it must be %3</source>
-        <translation>%1 = %2 est hors des bornes&#xa0;; il faut une valeur %3</translation>
-    </message>
-    <message>
-        <source>%1 = &apos;%2&apos; is not a valid choice; it must be one of: %3</source>
-        <translation>%1 = &apos;%2&apos; n’est pas un choix valable&#xa0;; il faut l’un de&#xa0;: %3</translation>
-    </message>
-    <message>
-        <source>at least %1 and at most %2</source>
-        <translation>d’au moins %1 et d’au plus %2</translation>
-    </message>
-    <message>
-        <source>above %1 and at most %2</source>
-        <translation>supérieure à %1 et d’au plus %2</translation>
-    </message>
-    <message>
-        <source>a whole number at least %1 and at most %2</source>
-        <translation>entière d’au moins %1 et d’au plus %2</translation>
-    </message>
-    <message>
-        <source>0, or at least %1 and at most %2</source>
-        <translation>de 0, ou d’au moins %1 et d’au plus %2</translation>
-    </message>
-    <message>
-        <source>at least %1</source>
-        <translation>d’au moins %1</translation>
-    </message>
-    <message>
-        <source>above %1</source>
-        <translation>supérieure à %1</translation>
-    </message>
-    <message>
-        <source>at most %1</source>
-        <translation>d’au plus %1</translation>
-    </message>
-    <message>
         <source>The positions go together better with a delay between set and actual ones than without, which cannot be told from a following error: record both in one cycle.</source>
         <translation>Les positions vont mieux ensemble avec un décalage entre consignes et positions réelles que sans, ce qui ne se distingue pas d’un écart de poursuite : les enregistrer dans un même cycle.</translation>
-    </message>
-    <message>
-        <source>grbl rejects the line (error %1: %2: %3); it is not run</source>
-        <translation>grbl rejette la ligne (erreur %1&#xa0;: %2&#xa0;: %3)&#xa0;; elle n’est pas exécutée</translation>
-    </message>
-    <message>
-        <source>grbl rejects the line (error %1: %2); it is not run</source>
-        <translation>grbl rejette la ligne (erreur %1&#xa0;: %2)&#xa0;; elle n’est pas exécutée</translation>
     </message>
     <message>
         <source>a word must begin with a letter</source>
@@ -9087,10 +7375,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>la ligne n’est pas acceptée</translation>
     </message>
     <message>
-        <source>radius %1 mm at its start, %2 mm at its end</source>
-        <translation>rayon de %1 mm au début, de %2 mm à la fin</translation>
-    </message>
-    <message>
         <source>F of G93</source>
         <translation>F de G93</translation>
     </message>
@@ -9107,24 +7391,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>L ou P de G10</translation>
     </message>
     <message>
-        <source>Klipper rejects the line (%1); it is not run</source>
-        <translation>Klipper rejette la ligne (%1)&#xa0;; elle n’est pas exécutée</translation>
-    </message>
-    <message>
         <source>G20: inches are not supported</source>
         <translation>G20&#xa0;: les pouces ne sont pas pris en charge</translation>
     </message>
     <message>
-        <source>unknown command %1</source>
-        <translation>commande %1 inconnue</translation>
-    </message>
-    <message>
         <source>invalid speed F</source>
         <translation>vitesse F non valide</translation>
-    </message>
-    <message>
-        <source>%1 has no number</source>
-        <translation>%1 est sans nombre</translation>
     </message>
     <message>
         <source>arcs need absolute coordinates</source>
@@ -9143,24 +7415,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>facteur S non valide</translation>
     </message>
     <message>
-        <source>invalid value of %1</source>
-        <translation>valeur de %1 non valide</translation>
-    </message>
-    <message>
         <source>M204 needs S, or P and T</source>
         <translation>M204 demande S, ou P et T</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is a folder; give a %2</source>
-        <translation>&apos;%1&apos; est un dossier&#xa0;; il faut un fichier&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>cannot read %1 &apos;%2&apos;: %3</source>
-        <translation>&apos;%2&apos; ne peut pas être lu (%1)&#xa0;: %3</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is larger than %2 MiB and cannot be a %3</source>
-        <translation>&apos;%1&apos; dépasse %2 Mio et ne peut pas être ce qui est attendu&#xa0;: %3</translation>
     </message>
     <message>
         <source>machine file</source>
@@ -9191,36 +7447,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>table de temps de sections</translation>
     </message>
     <message>
-        <source>column specification</source>
-        <translation>spécification des colonnes</translation>
-    </message>
-    <message>
-        <source>unknown key &apos;%1&apos; in %2; %3</source>
-        <translation>clé &apos;%1&apos; inconnue dans %2&#xa0;; %3</translation>
-    </message>
-    <message>
-        <source>known: %1</source>
-        <translation>sont connus&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>key &apos;%1&apos; is missing in %2</source>
-        <translation>il manque la clé &apos;%1&apos; dans %2</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; in %2 must be a table</source>
-        <translation>&apos;%1&apos; dans %2 doit être une table</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; in %2 must be a text in quotes</source>
-        <translation>&apos;%1&apos; dans %2 doit être un texte entre guillemets</translation>
-    </message>
-    <message>
         <source>the file</source>
         <translation>le fichier</translation>
-    </message>
-    <message>
-        <source>not valid TOML: %1</source>
-        <translation>TOML non valide&#xa0;: %1</translation>
     </message>
     <message>
         <source>No such file or directory</source>
@@ -9239,142 +7467,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>il n’y a plus de place sur le support</translation>
     </message>
     <message>
-        <source>cannot read machine folder &apos;%1&apos;: %2</source>
-        <translation>le dossier de machines &apos;%1&apos; ne peut pas être lu&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>unknown machine &apos;%1&apos;: neither a machine id nor a file; %2</source>
-        <translation>machine &apos;%1&apos; inconnue&#xa0;: ni identifiant de machine, ni fichier&#xa0;; %2</translation>
-    </message>
-    <message>
-        <source>ids: %1</source>
-        <translation>identifiants&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>machine &apos;%1&apos;: %2</source>
-        <translation>machine &apos;%1&apos;&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>machine &apos;%1&apos;: axis %2 moves in this program, but one of its limits is %3; every limit of an axis that moves must be above 0</source>
-        <translation>machine &apos;%1&apos;&#xa0;: l’axe %2 se déplace dans ce programme, mais l’une de ses limites vaut %3&#xa0;; toute limite d’un axe qui se déplace doit être supérieure à 0</translation>
-    </message>
-    <message>
-        <source>axis %1 has values of a drive but no position gain; give %2.kv in 1/s, or remove the others</source>
-        <translation>l’axe %1 a des valeurs d’entraînement mais pas de gain de position&#xa0;; donnez %2.kv en 1/s, ou supprimez les autres</translation>
-    </message>
-    <message>
-        <source>axis %1 has a friction spike but no time in which it decays; give %2.friction_time in ms</source>
-        <translation>l’axe %1 a un pic de frottement mais pas de temps de décroissance&#xa0;; donnez %2.friction_time en ms</translation>
-    </message>
-    <message>
-        <source>axis %1 is a rotary axis, and the file does not say where it is; add [kinematics] with its chain, and %2 with direction and point</source>
-        <translation>l’axe %1 est un axe rotatif, et le fichier ne dit pas où il se trouve&#xa0;; ajoutez [kinematics] avec sa chaîne, et %2 avec direction et point</translation>
-    </message>
-    <message>
-        <source>%1 has no limits; add [axes.%2]</source>
-        <translation>%1 n’a pas de limites&#xa0;; ajoutez [axes.%2]</translation>
-    </message>
-    <message>
-        <source>the chain &apos;%1&apos; %2; name X, Y, Z and the rotary axes once each from the part to the tool, with the word frame between those that carry the part and those that carry the tool, as in &quot;C A Y frame X Z&quot;</source>
-        <translation>la chaîne &apos;%1&apos; %2&#xa0;; nommez X, Y, Z et les axes rotatifs une fois chacun, de la pièce à l’outil, avec le mot frame entre ceux qui portent la pièce et ceux qui portent l’outil, comme dans &quot;C A Y frame X Z&quot;</translation>
-    </message>
-    <message>
-        <source>the travel of axis %1 is empty, from %2 to %3 degrees</source>
-        <translation>la course de l’axe %1 est vide, de %2 à %3 degrés</translation>
-    </message>
-    <message>
-        <source>%1 is not a work offset; write it as programs name it, such as G55, &quot;G54.1 P3&quot; or G505</source>
-        <translation>%1 n’est pas un décalage d’origine&#xa0;; écrivez-le comme les programmes le nomment, par exemple G55, &quot;G54.1 P3&quot; ou G505</translation>
-    </message>
-    <message>
-        <source>%1 is given twice; remove one</source>
-        <translation>%1 est donné deux fois&#xa0;; supprimez-en un</translation>
-    </message>
-    <message>
-        <source>%1 must have one of source = &quot;paper, table&quot; and assumed = &quot;reason&quot;</source>
-        <translation>%1 doit avoir soit source = &quot;paper, table&quot;, soit assumed = &quot;reason&quot;</translation>
-    </message>
-    <message>
-        <source>%1 needs a source: write { value = ..., source = &quot;paper, table&quot; } or { value = ..., assumed = &quot;reason&quot; }</source>
-        <translation>%1 demande une source&#xa0;: écrivez { value = ..., source = &quot;paper, table&quot; } ou { value = ..., assumed = &quot;reason&quot; }</translation>
-    </message>
-    <message>
-        <source>value of %1 must be a number</source>
-        <translation>la valeur de %1 doit être un nombre</translation>
-    </message>
-    <message>
-        <source>value of %1 must be a number or text</source>
-        <translation>la valeur de %1 doit être un nombre ou un texte</translation>
-    </message>
-    <message>
-        <source>%1 of %2 must be a number</source>
-        <translation>%1 de %2 doit être un nombre</translation>
-    </message>
-    <message>
-        <source>unknown axis &apos;%1&apos;; the axes are %2</source>
-        <translation>axe &apos;%1&apos; inconnu&#xa0;; les axes sont %2</translation>
-    </message>
-    <message>
-        <source>unknown limit &apos;%1&apos; of axis %2; %3</source>
-        <translation>limite &apos;%1&apos; inconnue de l’axe %2&#xa0;; %3</translation>
-    </message>
-    <message>
-        <source>the limits are %1</source>
-        <translation>les limites sont %1</translation>
-    </message>
-    <message>
-        <source>unknown model &apos;%1&apos;; known models: %2</source>
-        <translation>modèle &apos;%1&apos; inconnu&#xa0;; modèles connus&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>unknown model &apos;%1&apos;; did you mean &apos;%2&apos;? known models: %3</source>
-        <translation>modèle &apos;%1&apos; inconnu&#xa0;; vouliez-vous dire &apos;%2&apos;&#xa0;? modèles connus&#xa0;: %3</translation>
-    </message>
-    <message>
-        <source>%1 = &apos;%2&apos; is not a number; it must be %3</source>
-        <translation>%1 = &apos;%2&apos; n’est pas un nombre&#xa0;; il doit être %3</translation>
-    </message>
-    <message>
-        <source>%1 = &apos;%2&apos;: %3</source>
-        <translation>%1 = &apos;%2&apos;&#xa0;: %3</translation>
-    </message>
-    <message>
-        <source>%1 = &apos;%2&apos; is text; it must be a number %3</source>
-        <translation>%1 = &apos;%2&apos; est un texte&#xa0;; ce doit être un nombre&#xa0;: %3</translation>
-    </message>
-    <message>
-        <source>setting &apos;%1&apos; has no value</source>
-        <translation>le réglage &apos;%1&apos; est sans valeur</translation>
-    </message>
-    <message>
-        <source>a number has one decimal separator and no thousands separators; write %1</source>
-        <translation>un nombre a un seul séparateur décimal et pas de séparateur de milliers&#xa0;; écrivez %1</translation>
-    </message>
-    <message>
-        <source>the comma could be a decimal or a thousands separator; write %1 or %2</source>
-        <translation>la virgule pourrait être un séparateur décimal ou de milliers&#xa0;; écrivez %1 ou %2</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is a folder; give a trace</source>
-        <translation>&apos;%1&apos; est un dossier&#xa0;; il faut une trace</translation>
-    </message>
-    <message>
-        <source>cannot read trace &apos;%1&apos;: %2</source>
-        <translation>la trace &apos;%1&apos; ne peut pas être lue&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is written in UTF-16; save it as UTF-8</source>
-        <translation>&apos;%1&apos; est écrit en UTF-16&#xa0;; enregistrez-le en UTF-8</translation>
-    </message>
-    <message>
-        <source>%1:%2: the line is longer than 1 MiB; this is not a table of samples</source>
-        <translation>%1:%2&#xa0;: la ligne dépasse 1 Mio&#xa0;; ce n’est pas une table d’échantillons</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has no column that is known as the position of X, Y or Z; it has %2; say which, as --columns x=2:mm,y=3:mm</source>
-        <translation>&apos;%1&apos; n’a aucune colonne reconnue comme position de X, Y ou Z&#xa0;; colonnes&#xa0;: %2&#xa0;; indiquez lesquelles, comme --columns x=2:mm,y=3:mm</translation>
-    </message>
-    <message>
         <source>no title of a column says which are the positions of X, Y and Z</source>
         <translation>aucun titre de colonne n’indique les positions de X, Y et Z</translation>
     </message>
@@ -9383,156 +7475,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>les colonnes n’ont pas de titres</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; has no signal that is known as the position of X, Y or Z; it has %2; say which, as --columns x=1:mm,y=2:mm</source>
-        <translation>&apos;%1&apos; n’a aucun signal reconnu comme position de X, Y ou Z&#xa0;; signaux&#xa0;: %2&#xa0;; indiquez lesquels, comme --columns x=1:mm,y=2:mm</translation>
-    </message>
-    <message>
-        <source>%1:%2: no samples follow the head of the TwinCAT Scope export</source>
-        <translation>%1:%2&#xa0;: aucun échantillon ne suit l’en-tête de l’export TwinCAT Scope</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has no record of a SINUMERIK trace</source>
-        <translation>&apos;%1&apos; ne contient aucune donnée d’une trace SINUMERIK</translation>
-    </message>
-    <message>
-        <source>%1:%2: %3; this is no whole XML file</source>
-        <translation>%1:%2&#xa0;: %3&#xa0;; ce n’est pas un fichier XML complet</translation>
-    </message>
-    <message>
-        <source>%1:%2: the trace has more than %3 million samples</source>
-        <translation>%1:%2&#xa0;: la trace compte plus de %3 millions d’échantillons</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has no position of X, Y or Z; name their columns, as --columns x=2:mm,y=3:mm</source>
-        <translation>&apos;%1&apos; n’a pas de position de X, Y ou Z&#xa0;; nommez leurs colonnes, comme --columns x=2:mm,y=3:mm</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has too few samples whose times rise: %2; a trace has at least %3</source>
-        <translation>&apos;%1&apos; a trop peu d’échantillons dont le temps croît&#xa0;: %2&#xa0;; il en faut au moins %3</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has no column &apos;%2&apos; for %3; %4</source>
-        <translation>&apos;%1&apos; n’a pas de colonne &apos;%2&apos; pour %3&#xa0;; %4</translation>
-    </message>
-    <message>
-        <source>it has %1 columns without names</source>
-        <translation>il a %1 colonnes sans nom</translation>
-    </message>
-    <message>
-        <source>it has %1</source>
-        <translation>il contient %1</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no trace: no row of numbers in its first %2 lines; known are LinuxCNC halsampler, SINUMERIK trace (XML), TwinCAT Scope (text) and tables of samples</source>
-        <translation>&apos;%1&apos; n’est pas une trace&#xa0;: aucune ligne de nombres dans ses %2 premières lignes&#xa0;; sont connus halsampler de LinuxCNC, la trace SINUMERIK (XML), TwinCAT Scope (texte) et les tables d’échantillons</translation>
-    </message>
-    <message>
-        <source>column specification: %1</source>
-        <translation>spécification des colonnes&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>%1=%2 must be a number from %3 to %4</source>
-        <translation>%1=%2 doit être un nombre de %3 à %4</translation>
-    </message>
-    <message>
-        <source>separator=%1 must be tab, comma, semicolon or blank</source>
-        <translation>separator=%1 doit être tab, comma, semicolon ou blank</translation>
-    </message>
-    <message>
-        <source>decimal=%1 must be point or comma</source>
-        <translation>decimal=%1 doit être point ou comma</translation>
-    </message>
-    <message>
-        <source>%1= needs the number or the name of a column, such as %2=2</source>
-        <translation>%1= demande le numéro ou le nom d’une colonne, par exemple %2=2</translation>
-    </message>
-    <message>
-        <source>unit &apos;%1&apos; of %2 is not known; known: %3</source>
-        <translation>l’unité &apos;%1&apos; de %2 n’est pas connue&#xa0;; unités connues&#xa0;: %3</translation>
-    </message>
-    <message>
-        <source>unknown key &apos;%1&apos;; %2</source>
-        <translation>clé &apos;%1&apos; inconnue&#xa0;; %2</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not KEY=VALUE</source>
-        <translation>&apos;%1&apos; n’est pas de la forme KEY=VALUE</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no preset of columns; known: %2; or write a specification such as time=1:ms,x=2:mm,y=3:mm</source>
-        <translation>&apos;%1&apos; n’est pas un préréglage de colonnes&#xa0;; sont connus&#xa0;: %2&#xa0;; ou écrivez une spécification comme time=1:ms,x=2:mm,y=3:mm</translation>
-    </message>
-    <message>
-        <source>the load file has an operation for tool %1, but the program changes to no tool; omit &apos;tool&apos;, so that the operation applies to all motions</source>
-        <translation>le fichier de charge a une opération pour l’outil %1, mais le programme n’appelle aucun outil&#xa0;; supprimez &apos;tool&apos;, pour que l’opération s’applique à tous les déplacements</translation>
-    </message>
-    <message>
-        <source>the load file has an operation for tool %1, which the program never changes to; %2</source>
-        <translation>le fichier de charge a une opération pour l’outil %1, que le programme n’appelle jamais&#xa0;; %2</translation>
-    </message>
-    <message>
-        <source>its tools are %1</source>
-        <translation>ses outils sont %1</translation>
-    </message>
-    <message>
-        <source>did you mean tool %1?</source>
-        <translation>vouliez-vous dire l’outil %1&#xa0;?</translation>
-    </message>
-    <message>
-        <source>the load file has an operation for lines %1-%2, but the program has %3 lines; correct the range</source>
-        <translation>le fichier de charge a une opération pour les lignes %1-%2, mais le programme compte %3 lignes&#xa0;; corrigez la plage</translation>
-    </message>
-    <message>
-        <source>operation of %1: %2</source>
-        <translation>opération de %1&#xa0;: %2</translation>
-    </message>
-    <message>
         <source>all tools</source>
         <translation>tous les outils</translation>
-    </message>
-    <message>
-        <source>all tools, lines %1</source>
-        <translation>tous les outils, lignes %1</translation>
-    </message>
-    <message>
-        <source>tool %1</source>
-        <translation>outil %1</translation>
-    </message>
-    <message>
-        <source>tool %1, lines %2</source>
-        <translation>outil %1, lignes %2</translation>
-    </message>
-    <message>
-        <source>material &apos;%1&apos; is not known; %2, or add a [[material]] with its coefficients</source>
-        <translation>la matière &apos;%1&apos; n’est pas connue&#xa0;; %2, ou ajoutez un [[material]] avec ses coefficients</translation>
-    </message>
-    <message>
-        <source>use one such as &apos;%1&apos;</source>
-        <translation>utilisez-en une comme &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>ae_mm %1 is larger than diameter_mm %2; a tool is engaged over its diameter at most: lower ae_mm, %3 is a full slot</source>
-        <translation>ae_mm %1 dépasse diameter_mm %2&#xa0;; un outil est engagé au plus sur son diamètre&#xa0;: réduisez ae_mm, %3 est un rainurage en pleine matière</translation>
-    </message>
-    <message>
-        <source>lines %1-%2 is no range; write FIRST-LAST, counted from 1</source>
-        <translation>lignes %1-%2&#xa0;: ce n’est pas une plage&#xa0;; écrivez PREMIÈRE-DERNIÈRE, comptées à partir de 1</translation>
-    </message>
-    <message>
-        <source>min_chip_um %1 is not below max_chip_um %2; every chip would be out of bounds</source>
-        <translation>min_chip_um %1 n’est pas inférieur à max_chip_um %2&#xa0;; tout copeau serait hors limites</translation>
-    </message>
-    <message>
-        <source>operations %1 (%2) and %3 (%4) apply to the same motions; remove one, or give each its own tool or lines</source>
-        <translation>les opérations %1 (%2) et %3 (%4) s’appliquent aux mêmes déplacements&#xa0;; supprimez-en une, ou donnez à chacune son outil ou ses lignes</translation>
-    </message>
-    <message>
-        <source>%1 in %2 must be a number</source>
-        <translation>%1 dans %2 doit être un nombre</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; must be tables; begin each with [[%2]]</source>
-        <translation>&apos;%1&apos; doit contenir des tables&#xa0;; commencez chacune par [[%2]]</translation>
     </message>
     <message>
         <source>&apos;lines&apos; must be ranges of lines of the program in quotes, such as &quot;10-25&quot; or &quot;10-25, 40-52&quot;</source>
@@ -9543,112 +7487,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>&apos;tool&apos; doit être son numéro, ou son nom entre guillemets, tel que le programme l’appelle</translation>
     </message>
     <message>
-        <source>milling &apos;%1&apos; is not known; write &quot;up&quot; (conventional) or &quot;down&quot; (climb)</source>
-        <translation>fraisage &apos;%1&apos; inconnu&#xa0;; écrivez &quot;up&quot; (en opposition) ou &quot;down&quot; (en avalant)</translation>
-    </message>
-    <message>
-        <source>law &apos;%1&apos; is not known; write &quot;linear-edge&quot; or &quot;kienzle&quot;</source>
-        <translation>loi &apos;%1&apos; inconnue&#xa0;; écrivez &quot;linear-edge&quot; ou &quot;kienzle&quot;</translation>
-    </message>
-    <message>
-        <source>%1 has no tangential cutting force; %2 must be above 0</source>
-        <translation>%1 n’a pas d’effort de coupe tangentiel&#xa0;; %2 doit être supérieur à 0</translation>
-    </message>
-    <message>
-        <source>material &apos;%1&apos; is given twice; remove one or give it another id</source>
-        <translation>la matière &apos;%1&apos; est donnée deux fois&#xa0;; supprimez-en une ou donnez-lui un autre identifiant</translation>
-    </message>
-    <message>
-        <source>load files of version %1 are not known; this program reads version %2</source>
-        <translation>les fichiers de charge de la version %1 ne sont pas connus&#xa0;; ce programme lit la version %2</translation>
-    </message>
-    <message>
         <source>the file has no operation; add an [[operation]] with tool, diameter_mm, teeth, helix_deg, ae_mm, ap_mm, milling and material</source>
         <translation>le fichier n’a pas d’opération&#xa0;; ajoutez une [[operation]] avec tool, diameter_mm, teeth, helix_deg, ae_mm, ap_mm, milling et material</translation>
     </message>
     <message>
-        <source>radius = %1 mm is out of bounds; it must be at least 0.001 mm and at most %2 mm</source>
-        <translation>rayon = %1 mm hors limites&#xa0;; il doit être d’au moins 0,001 mm et d’au plus %2 mm</translation>
-    </message>
-    <message>
-        <source>feed = %1 mm/min is out of bounds; it must be above 0 mm/min</source>
-        <translation>avance = %1 mm/min hors limites&#xa0;; elle doit être supérieure à 0 mm/min</translation>
-    </message>
-    <message>
-        <source>sweep = %1 degrees is out of bounds; it must be above 0 and at most 360</source>
-        <translation>angle = %1 degrés hors limites&#xa0;; il doit être supérieur à 0 et d’au plus 360</translation>
-    </message>
-    <message>
-        <source>entry radius = %1 mm is out of bounds; it must be at least 0 mm and at most the radius of %2 mm</source>
-        <translation>rayon d’entrée = %1 mm hors limites&#xa0;; il doit être d’au moins 0 mm et au plus du rayon de %2 mm</translation>
-    </message>
-    <message>
-        <source>sweep &apos;%1&apos;: %2; write KEY=FROM:TO:logN, KEY=FROM:TO:linN or &quot;KEY=A;B;C&quot;, such as tolerance=0.005:0.1:log12</source>
-        <translation>balayage &apos;%1&apos;&#xa0;: %2&#xa0;; écrivez KEY=FROM:TO:logN, KEY=FROM:TO:linN ou &quot;KEY=A;B;C&quot;, par exemple tolerance=0.005:0.1:log12</translation>
-    </message>
-    <message>
-        <source>from %1 to %2 is not a range</source>
-        <translation>de %1 à %2, ce n’est pas une plage</translation>
-    </message>
-    <message>
-        <source>equal ratios need ends above 0, not %1</source>
-        <translation>des rapports égaux demandent des bornes supérieures à 0, et non %1</translation>
-    </message>
-    <message>
-        <source>%1 values; there must be 2 to %2</source>
-        <translation>%1 valeurs&#xa0;; il en faut de 2 à %2</translation>
-    </message>
-    <message>
-        <source>the sweeps need more than %1 runs; use fewer values</source>
-        <translation>les balayages demandent plus de %1 simulations&#xa0;; prenez moins de valeurs</translation>
-    </message>
-    <message>
-        <source>setting path: the path of ward needs more than %1 curves to be approximated within %2 mm, up to line %3; choose the path of another model</source>
-        <translation>réglage path&#xa0;: la trajectoire de ward demande plus de %1 courbes pour être approchée à %2 mm près, jusqu’à la ligne %3&#xa0;; choisissez la trajectoire d’un autre modèle</translation>
-    </message>
-    <message>
-        <source>%1 is told by set and actual positions of %2; no trace has both: record the actual position too, and name it if need be, as --columns actual_%3=5:mm</source>
-        <translation>%1 se détermine par les positions de consigne et réelles de %2&#xa0;; aucune trace n’a les deux&#xa0;: enregistrez aussi la position réelle, et nommez-la au besoin, comme --columns actual_%3=5:mm</translation>
-    </message>
-    <message>
-        <source>%1 = %2 %3 is out of bounds; it must be from %4 to %5 %6</source>
-        <translation>%1 = %2 %3 hors limites&#xa0;; il faut de %4 à %5 %6</translation>
-    </message>
-    <message>
         <source>identification needs at least one trace</source>
         <translation>l’identification demande au moins une trace</translation>
-    </message>
-    <message>
-        <source>cannot read session &apos;%1&apos;: %2</source>
-        <translation>la session &apos;%1&apos; ne peut pas être lue&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>cannot write session &apos;%1&apos;: %2</source>
-        <translation>la session &apos;%1&apos; ne peut pas être écrite&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>cannot use session &apos;%1&apos;: %2</source>
-        <translation>la session &apos;%1&apos; ne peut pas être utilisée&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is larger than 64 MiB and cannot be a session</source>
-        <translation>&apos;%1&apos; dépasse 64 Mio et ne peut pas être une session</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a session: %2 (%3)</source>
-        <translation>&apos;%1&apos; n’est pas une session&#xa0;: %2 (%3)</translation>
-    </message>
-    <message>
-        <source>it is not a Feedscope session: its &quot;format&quot; is not &quot;%1&quot;</source>
-        <translation>ce n’est pas une session de Feedscope&#xa0;: son &quot;format&quot; n’est pas &quot;%1&quot;</translation>
-    </message>
-    <message>
-        <source>it is of version %1, written by a newer Feedscope; this one reads up to version %2</source>
-        <translation>elle est de la version %1, écrite par un Feedscope plus récent&#xa0;; celui-ci lit jusqu’à la version %2</translation>
-    </message>
-    <message>
-        <source>its &quot;version&quot; is not a whole number from 1 to %1</source>
-        <translation>sa &quot;version&quot; n’est pas un nombre entier de 1 à %1</translation>
     </message>
     <message>
         <source>it names no program: &quot;program&quot; has no &quot;file&quot;</source>
@@ -9657,14 +7501,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>it has no runs: &quot;runs&quot; is empty or missing</source>
         <translation>elle n’a pas de simulations&#xa0;: &quot;runs&quot; est vide ou absent</translation>
-    </message>
-    <message>
-        <source>cannot write &apos;%1&apos; as a picture; its name must end in .png, .svg or .pdf</source>
-        <translation>&apos;%1&apos; ne peut pas être écrit comme image&#xa0;; son nom doit finir par .png, .svg ou .pdf</translation>
-    </message>
-    <message>
-        <source>cannot write &apos;%1&apos;: %2</source>
-        <translation>&apos;%1&apos; ne peut pas être écrit&#xa0;: %2</translation>
     </message>
     <message>
         <source>not everything could be written; is there room for it?</source>
@@ -9679,90 +7515,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>le programme ne se déplace pas&#xa0;: il n’y a rien à filmer</translation>
     </message>
     <message>
-        <source>the film would begin at %1 s and end at %2 s; give --from a time before that of --to</source>
-        <translation>le film commencerait à %1 s et finirait à %2 s&#xa0;; donnez à --from un temps avant celui de --to</translation>
-    </message>
-    <message>
-        <source>the film would end at %1 s, but the run takes %2 s; use a smaller --to</source>
-        <translation>le film finirait à %1 s, mais la simulation dure %2 s&#xa0;; prenez un --to plus petit</translation>
-    </message>
-    <message>
-        <source>the film would have %1 frames, and at most %2 can be written; use --speed %3 or more, a smaller --fps, or a shorter stretch by --from and --to</source>
-        <translation>le film aurait %1 images, et %2 au plus peuvent être écrites&#xa0;; prenez --speed %3 ou plus, un --fps plus petit, ou une partie plus courte par --from et --to</translation>
-    </message>
-    <message>
-        <source>a film of %1 x %2 units is too small; use a larger --size or a smaller --scale</source>
-        <translation>un film de %1 x %2 unités est trop petit&#xa0;; prenez un --size plus grand ou un --scale plus petit</translation>
-    </message>
-    <message>
-        <source>a film of %1 x %2 units is too small for the view and the charts; use a larger --size or a smaller --scale</source>
-        <translation>un film de %1 x %2 unités est trop petit pour la vue et les graphiques&#xa0;; prenez un --size plus grand ou un --scale plus petit</translation>
-    </message>
-    <message>
-        <source>charts of %1 x %2 units are too small; they need at least %3 x %4: use a larger --size or a smaller --scale</source>
-        <translation>des graphiques de %1 x %2 unités sont trop petits&#xa0;; il leur faut au moins %3 x %4&#xa0;: prenez un --size plus grand ou un --scale plus petit</translation>
-    </message>
-    <message>
-        <source>the 3D view would have %1 x %2 pixels, and each side may have 1 to %3; use a smaller --size, --scale or --dpi</source>
-        <translation>la vue 3D aurait %1 x %2 pixels, et chaque côté peut en avoir de 1 à %3&#xa0;; prenez un --size, --scale ou --dpi plus petit</translation>
-    </message>
-    <message>
-        <source>a sheet of %1 x %2 units is too small; it needs at least %3 on its longer and %4 on its shorter side: use a larger --size or a smaller --scale</source>
-        <translation>une fiche de %1 x %2 unités est trop petite&#xa0;; il lui faut au moins %3 sur le grand côté et %4 sur le petit&#xa0;: prenez un --size plus grand ou un --scale plus petit</translation>
-    </message>
-    <message>
-        <source>cannot read the template &apos;%1&apos;: %2</source>
-        <translation>le modèle de page &apos;%1&apos; ne peut pas être lu&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>it has %1 bytes, and a template may have %2</source>
-        <translation>il compte %1 octets, et un modèle de page peut en avoir %2</translation>
-    </message>
-    <message>
-        <source>%1: unknown placeholder %2; %3</source>
-        <translation>%1&#xa0;: emplacement %2 inconnu&#xa0;; %3</translation>
-    </message>
-    <message>
-        <source>did you mean %1?</source>
-        <translation>vouliez-vous dire %1&#xa0;?</translation>
-    </message>
-    <message>
-        <source>%1: section %2 is not closed; write %3 after it</source>
-        <translation>%1&#xa0;: la section %2 n’est pas fermée&#xa0;; écrivez %3 après elle</translation>
-    </message>
-    <message>
-        <source>%1: %2 closes no section</source>
-        <translation>%1&#xa0;: %2 ne ferme aucune section</translation>
-    </message>
-    <message>
-        <source>%1: %2 closes no section; %3 is open</source>
-        <translation>%1&#xa0;: %2 ne ferme aucune section&#xa0;; %3 est ouverte</translation>
-    </message>
-    <message>
-        <source>%1: &apos;{{&apos; without &apos;}}&apos;</source>
-        <translation>%1&#xa0;: &apos;{{&apos; sans &apos;}}&apos;</translation>
-    </message>
-    <message>
-        <source>machine &apos;%1&apos; has no rotary axes to draw; choose a machine with [kinematics], such as five-axis-table-ac</source>
-        <translation>la machine &apos;%1&apos; n’a pas d’axes rotatifs à dessiner&#xa0;; choisissez une machine avec [kinematics], comme five-axis-table-ac</translation>
-    </message>
-    <message>
-        <source>picture &apos;%1&apos; cannot be read: %2</source>
-        <translation>l’image &apos;%1&apos; ne peut pas être lue&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>picture &apos;%1&apos; has %2 bytes, and a picture may have %3</source>
-        <translation>l’image &apos;%1&apos; compte %2 octets, et une image peut en avoir %3</translation>
-    </message>
-    <message>
-        <source>picture &apos;%1&apos; is not a picture; PNG, JPEG, SVG and other formats of Qt are supported</source>
-        <translation>l’image &apos;%1&apos; n’est pas une image&#xa0;; PNG, JPEG, SVG et d’autres formats de Qt sont pris en charge</translation>
-    </message>
-    <message>
-        <source>the trace has no set positions of %1: the actual ones are used instead</source>
-        <translation>la trace n’a pas de positions de consigne de %1&#xa0;: les positions réelles sont utilisées à leur place</translation>
-    </message>
-    <message>
         <source>feeds, ramps and corners contain what the drives do; record the set positions too to tell them apart</source>
         <translation>avances, rampes et angles contiennent ce que font les entraînements&#xa0;; enregistrez aussi les positions de consigne pour les distinguer</translation>
     </message>
@@ -9771,36 +7523,16 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>Là où des axes rotatifs tournent, ce n’est pas une borne stricte&#xa0;: ils retiennent la pointe sur tout le bloc d’après leur endroit le plus rapide, le long des courbes et aux jonctions de blocs d’après leur vitesse et ce que demande la rotation, mais pas pendant que la pointe accélère&#xa0;; les rotations entre opérations prennent le temps du jerk de la machine.</translation>
     </message>
     <message>
-        <source>the time goes back once; the longest part with %1 of %2 samples is used</source>
-        <translation>le temps recule une fois ; la plus longue partie, %1 des %2 échantillons, est utilisée</translation>
-    </message>
-    <message>
-        <source>%1 positions that are missing for long are those before them</source>
-        <translation>%1 positions absentes pendant longtemps gardent leur dernière valeur</translation>
-    </message>
-    <message>
         <source>recorders that write changes alone leave them out</source>
         <translation>les enregistreurs qui n’écrivent que les changements les omettent</translation>
-    </message>
-    <message>
-        <source>the sample at %1 s lies %2 mm beside those before and behind it</source>
-        <translation>l’échantillon à %1 s se trouve à %2 mm de ceux qui l’entourent</translation>
     </message>
     <message>
         <source>it is not compared; the others are right</source>
         <translation>il n’est pas comparé ; les autres sont justes</translation>
     </message>
     <message>
-        <source>the position jumps by %1 mm within %2 ms at %3 s</source>
-        <translation>la position saute de %1 mm en %2 ms à %3 s</translation>
-    </message>
-    <message>
         <source>samples are missing there without a gap in the times: all later times, and the cycle time, are too short by an unknown time</source>
         <translation>des échantillons y manquent sans lacune dans les temps : tous les temps suivants, et le temps de cycle, sont trop courts d’une durée inconnue</translation>
-    </message>
-    <message>
-        <source>%1 more jumps of the position</source>
-        <translation>%1 autres sauts de la position</translation>
     </message>
     <message>
         <source>check how the trace was recorded</source>
@@ -9813,14 +7545,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>swing about the tip, held by axis %1</source>
         <translation>pivotement autour de la pointe, retenu par l’axe %1</translation>
-    </message>
-    <message>
-        <source>%1 possible delay by X, Y and Z that follow rotary axes (tool length or part zero unknown)</source>
-        <translation>%1 retard possible par X, Y et Z qui suivent les axes rotatifs (longueur d’outil ou origine de la pièce inconnue)</translation>
-    </message>
-    <message>
-        <source>%1 possible delays by X, Y and Z that follow rotary axes (tool length or part zero unknown)</source>
-        <translation>%1 retards possibles par X, Y et Z qui suivent les axes rotatifs (longueur d’outil ou origine de la pièce inconnue)</translation>
     </message>
     <message>
         <source>the tool retracts to the end of travel before the axes turn (MB MAX)</source>
@@ -9837,10 +7561,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>this motion is neither drawn nor timed</source>
         <translation>ce mouvement n’est ni tracé ni compté</translation>
-    </message>
-    <message>
-        <source>the tool retracts before the axes turn (_FR %1 of CYCLE800)</source>
-        <translation>l’outil se dégage avant que les axes tournent (_FR %1 de CYCLE800)</translation>
     </message>
     <message>
         <source>where to, the machine&apos;s data says: this motion is neither drawn nor timed</source>
@@ -9867,20 +7587,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>donner le programme exécuté, et ses temps en secondes, ou en ms sous ce titre</translation>
     </message>
     <message>
-        <source>the trace stands still for %1 s from %2 s on at line %3, where the program does not</source>
-        <translation>la trace reste immobile pendant %1 s à partir de %2 s à la ligne %3, où le programme ne s’arrête pas</translation>
-    </message>
-    <message>
         <source>a feed hold, or a stop that the simulation does not know; half a second before it and behind it is not compared, and its time not counted</source>
         <translation>un arrêt d’avance, ou un arrêt que la simulation ne connaît pas ; une demi-seconde avant et après n’est pas comparée, et son temps n’est pas compté</translation>
-    </message>
-    <message>
-        <source>%1: the sections take %2 times what machine &apos;%3&apos; takes in the simulation; %4</source>
-        <translation>%1 : les sections prennent %2 fois le temps de la machine « %3 » dans la simulation ; %4</translation>
-    </message>
-    <message>
-        <source>%1 samples with a time a little before that of the sample ahead are skipped</source>
-        <translation>%1 échantillons dont le temps précède un peu celui de l’échantillon d’avant sont omis</translation>
     </message>
     <message>
         <source>the times jitter by more than a period: record the time of the control&apos;s cycle</source>
@@ -9903,20 +7611,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>un arrêt d’avance, ou un arrêt que la simulation ne connaît pas&#xa0;; sa durée est comprise dans celle de la trace</translation>
     </message>
     <message>
-        <source>%1:%2: section %3 has a time in line %4 already; keep one of the two</source>
-        <translation>%1:%2&#xa0;: la section %3 a déjà un temps à la ligne %4&#xa0;; garder l’un des deux</translation>
-    </message>
-    <message>
         <source>A feed override is set: feeds and times called programmed are those of the program with the override.</source>
         <translation>Une correction d’avance est réglée : les avances et durées dites programmées sont celles du programme avec cette correction.</translation>
     </message>
     <message>
         <source>Feed override</source>
         <translation>Correction d’avance</translation>
-    </message>
-    <message>
-        <source>Cutting feed %1</source>
-        <translation>Avance de coupe %1</translation>
     </message>
     <message>
         <source>Largest velocity of this axis in feed moves, where the control has one below that of its rapids; without it, or 0, the velocity of the axis.</source>
@@ -9931,60 +7631,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>oui&#xa0;: là où le programme demande une tolérance (CTOL, CYCLE832, G64 P, cycle 32) ou une distance de raccord (ADIS), c’est elle qui vaut&#xa0;; non&#xa0;: celle des réglages vaut partout. Les arrêts précis sont toujours respectés.</translation>
     </message>
     <message>
-        <source>Line %1 asks for a feed of %2 mm/min; all axes of this machine together reach %3 mm/min: what is lost against the programmed feed tells little there.</source>
-        <translation>La ligne %1 demande une avance de %2 mm/min&#xa0;; tous les axes de cette machine ensemble atteignent %3 mm/min&#xa0;: ce qui est perdu par rapport à l’avance programmée n’y dit pas grand-chose.</translation>
-    </message>
-    <message>
-        <source>where the simulation runs at the programmed feed, the trace runs at %1 % of it</source>
-        <translation>là où la simulation suit l’avance programmée, la trace va à %1 % de celle-ci</translation>
-    </message>
-    <message>
-        <source>the trace runs at %1 % of the programmed feed: its sampling rate is wrong, or a feed override was set</source>
-        <translation>la trace va à %1 % de l’avance programmée&#xa0;: sa cadence d’échantillonnage est fausse, ou une correction d’avance était réglée</translation>
-    </message>
-    <message>
-        <source>give the right rate, at most %1 samples a second, as --columns linuxcnc,rate=%2; or set the feed override of the simulation</source>
-        <translation>donnez la bonne cadence, au plus %1 échantillons par seconde, comme --columns linuxcnc,rate=%2&#xa0;; ou réglez la correction d’avance de la simulation</translation>
-    </message>
-    <message>
-        <source>the trace runs at %1 % of the simulated feed at even speed and where the machine speeds up or slows down: its sampling rate is wrong</source>
-        <translation>la trace va à %1 % de l’avance simulée, à vitesse constante comme là où la machine accélère ou ralentit&#xa0;: sa cadence d’échantillonnage est fausse</translation>
-    </message>
-    <message>
-        <source>the trace stands still for %1 % of the time of the dwells of the program: its sampling rate is wrong</source>
-        <translation>la trace reste immobile pendant %1 % du temps des temporisations du programme&#xa0;: sa cadence d’échantillonnage est fausse</translation>
-    </message>
-    <message>
         <source>give the right rate or unit of its times; else limits that are found from the trace are wrong</source>
         <translation>donnez la bonne cadence ou la bonne unité de ses temps&#xa0;; sinon les limites trouvées d’après la trace sont fausses</translation>
     </message>
     <message>
-        <source>give the right rate, %1 samples a second, as --columns linuxcnc,rate=%2; else limits that are found from the trace are wrong</source>
-        <translation>donnez la bonne cadence, %1 échantillons par seconde, comme --columns linuxcnc,rate=%2&#xa0;; sinon les limites trouvées d’après la trace sont fausses</translation>
-    </message>
-    <message>
-        <source>%1: no limits can be found from this trace: %2; %3</source>
-        <translation>%1&#xa0;: aucune limite ne peut être trouvée d’après cette trace&#xa0;: %2&#xa0;; %3</translation>
-    </message>
-    <message>
-        <source>%1 limits %2 s of the cycle time (%3 %), but the recordings that the machine was identified from do not determine it.</source>
-        <translation>%1 limite %2 s du temps de cycle (%3 %), mais les enregistrements dont la machine a été identifiée ne déterminent pas cette valeur.</translation>
-    </message>
-    <message>
         <source>a feed override, or times of another rate: set the feed override of the simulation to it, or give the right rate; else limits that are found from the trace are those of the override</source>
         <translation>une correction d’avance, ou des temps d’une autre cadence&#xa0;: réglez la correction d’avance de la simulation sur cette valeur, ou donnez la bonne cadence&#xa0;; sinon les limites trouvées d’après la trace sont celles de la correction</translation>
-    </message>
-    <message>
-        <source>the trace fits this program with its axes in another order: its %1 as X, its %2 as Y, its %3 as Z</source>
-        <translation>la trace convient à ce programme avec ses axes dans un autre ordre&#xa0;: son %1 comme X, son %2 comme Y, son %3 comme Z</translation>
-    </message>
-    <message>
-        <source>the trace has the shape of this program, %1 times as large</source>
-        <translation>la trace a la forme de ce programme, %1 fois plus grande</translation>
-    </message>
-    <message>
-        <source>the trace fits this program with %1 in the other direction</source>
-        <translation>la trace convient à ce programme avec %1 dans l’autre sens</translation>
     </message>
     <message>
         <source>give its column a minus sign, as --columns time=1,x=2:-mm</source>
@@ -9999,20 +7651,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>simulez le programme qui a été enregistré, avec ses blocs dans l’ordre où la commande les a exécutés</translation>
     </message>
     <message>
-        <source>the trace stands still in %1 more places, for %2 s in all</source>
-        <translation>la trace reste immobile en %1 autres endroits, pendant %2 s en tout</translation>
-    </message>
-    <message>
         <source>its times are in milliseconds: give their column the unit, as --columns time=1:ms</source>
         <translation>ses instants sont en millisecondes&#xa0;: donnez l’unité à leur colonne, comme --columns time=1:ms</translation>
-    </message>
-    <message>
-        <source>give each of its axes the unit, as --columns time=1,x=2:%1,y=3:%2,z=4:%3</source>
-        <translation>donnez l’unité à chacun de ses axes, comme --columns time=1,x=2:%1,y=3:%2,z=4:%3</translation>
-    </message>
-    <message>
-        <source>as it is, the trace is nowhere on this program: %1; %2</source>
-        <translation>telle quelle, la trace n’est nulle part sur ce programme&#xa0;: %1&#xa0;; %2</translation>
     </message>
     <message>
         <source>name the columns in this order; for X and Y exchanged, as --columns time=1,x=3,y=2,z=4</source>
@@ -10063,18 +7703,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>Le mode d’usinage du programme (type de CYCLE832, HSC-MODE, P de G187, R de G5.1) ne change rien : ce qu’il choisit n’existe que dans la commande. Comparer les modes par l’accélération et le jerk de la machine.</translation>
     </message>
     <message>
-        <source>HSC-MODE %1 changes nothing in the simulation</source>
-        <translation>HSC-MODE %1 ne change rien dans la simulation</translation>
-    </message>
-    <message>
-        <source>R%1 of G5.1 (machining condition from speed to accuracy) changes nothing in the simulation</source>
-        <translation>R%1 de G5.1 (condition d’usinage, de la vitesse à la précision) ne change rien dans la simulation</translation>
-    </message>
-    <message>
-        <source>P%1 of G187 (smoothness) changes nothing in the simulation</source>
-        <translation>P%1 de G187 (douceur) ne change rien dans la simulation</translation>
-    </message>
-    <message>
         <source>G5.1 Q2 (smooth interpolation) is not supported</source>
         <translation>G5.1 Q2 (interpolation lisse) n’est pas pris en charge</translation>
     </message>
@@ -10083,12 +7711,2572 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>ses blocs sont parcourus en droites ; le réglage compressor=on les lisse dans la tolérance, mais pas par la courbe propre à la commande</translation>
     </message>
     <message>
-        <source>machining type %1 of CYCLE832 changes nothing in the simulation</source>
-        <translation>le type d’usinage %1 de CYCLE832 ne change rien dans la simulation</translation>
+        <source>as it is, the trace is nowhere on this program: {}; {}</source>
+        <translation>telle quelle, la trace n’est nulle part sur ce programme&#xa0;: {}&#xa0;; {}</translation>
     </message>
     <message>
-        <source>unknown unit &apos;%1&apos;; write the number in one of: %2</source>
-        <translation>unité &apos;%1&apos; inconnue&#xa0;; écrivez le nombre dans l’une de ces unités&#xa0;: %2</translation>
+        <source>the trace is nowhere within {:.3g} mm of the path of the program; it is of another program, or its zero point is another</source>
+        <translation>la trace n’est nulle part à moins de {} mm de la trajectoire du programme&#xa0;; elle est d’un autre programme, ou son origine est autre</translation>
+    </message>
+    <message>
+        <source>the trace runs at {:.3g} % of the programmed feed: its sampling rate is wrong, or a feed override was set</source>
+        <translation>la trace va à {} % de l’avance programmée&#xa0;: sa cadence d’échantillonnage est fausse, ou une correction d’avance était réglée</translation>
+    </message>
+    <message>
+        <source>where the simulation runs at the programmed feed, the trace runs at {:.3g} % of it</source>
+        <translation>là où la simulation suit l’avance programmée, la trace va à {} % de celle-ci</translation>
+    </message>
+    <message>
+        <source>give the right rate, at most {0:.0f} samples a second, as --columns linuxcnc,rate={0:.0f}; or set the feed override of the simulation</source>
+        <translation>donnez la bonne cadence, au plus {0} échantillons par seconde, comme --columns linuxcnc,rate={0}&#xa0;; ou réglez la correction d’avance de la simulation</translation>
+    </message>
+    <message>
+        <source>give the right rate, {0:.0f} samples a second, as --columns linuxcnc,rate={0:.0f}; else limits that are found from the trace are wrong</source>
+        <translation>donnez la bonne cadence, {0} échantillons par seconde, comme --columns linuxcnc,rate={0}&#xa0;; sinon les limites trouvées d’après la trace sont fausses</translation>
+    </message>
+    <message>
+        <source>the trace runs at {:.3g} % of the simulated feed at even speed and where the machine speeds up or slows down: its sampling rate is wrong</source>
+        <translation>la trace va à {} % de l’avance simulée, à vitesse constante comme là où la machine accélère ou ralentit&#xa0;: sa cadence d’échantillonnage est fausse</translation>
+    </message>
+    <message>
+        <source>the trace stands still for {:.3g} % of the time of the dwells of the program: its sampling rate is wrong</source>
+        <translation>la trace reste immobile pendant {} % du temps des temporisations du programme&#xa0;: sa cadence d’échantillonnage est fausse</translation>
+    </message>
+    <message>
+        <source>the trace stands still for {:.3g} s from {:.4g} s on at line {}, where the program does not</source>
+        <translation>la trace reste immobile pendant {} s à partir de {} s à la ligne {}, où le programme ne s’arrête pas</translation>
+    </message>
+    <message>
+        <source>the trace stands still in {} more places, for {:.3g} s in all</source>
+        <translation>la trace reste immobile en {} autres endroits, pendant {} s en tout</translation>
+    </message>
+    <message>
+        <source>the trace fits this program with its axes in another order: its {} as X, its {} as Y, its {} as Z</source>
+        <translation>la trace convient à ce programme avec ses axes dans un autre ordre&#xa0;: son {} comme X, son {} comme Y, son {} comme Z</translation>
+    </message>
+    <message>
+        <source>the trace has the shape of this program, {:.4g} times as large</source>
+        <translation>la trace a la forme de ce programme, {} fois plus grande</translation>
+    </message>
+    <message>
+        <source>give each of its axes the unit, as --columns time=1,x=2:{0},y=3:{0},z=4:{0}</source>
+        <translation>donnez l’unité à chacun de ses axes, comme --columns time=1,x=2:{0},y=3:{0},z=4:{0}</translation>
+    </message>
+    <message>
+        <source>the trace fits this program with {} in the other direction</source>
+        <translation>la trace convient à ce programme avec {} dans l’autre sens</translation>
+    </message>
+    <message>
+        <source>line {}</source>
+        <translation>ligne {}</translation>
+    </message>
+    <message>
+        <source>lines {} to {}</source>
+        <translation>lignes {} à {}</translation>
+    </message>
+    <message>
+        <source>axis {} of the trace is mirrored; it is used with the other sign</source>
+        <translation>l’axe {} de la trace est inversé&#xa0;; il est utilisé avec le signe contraire</translation>
+    </message>
+    <message>
+        <source>axis {} does not move in the trace, but by {:.4g} mm in the program</source>
+        <translation>l’axe {} ne bouge pas dans la trace, mais de {} mm dans le programme</translation>
+    </message>
+    <message>
+        <source>the trace does not have {}, which the program moves: feeds, corners and distances are those of {} alone</source>
+        <translation>il manque à la trace {}, que le programme déplace&#xa0;: avances, angles et distances sont ceux de {} seulement</translation>
+    </message>
+    <message>
+        <source>{:.4g} s from {:.4g} s on at {}</source>
+        <translation>{} s à partir de {} s, {}</translation>
+    </message>
+    <message>
+        <source>{:.4g} s in {} stretches, the longest from {:.4g} s on at {}</source>
+        <translation>{} s (tronçons&#xa0;: {}), le plus long à partir de {} s, {}</translation>
+    </message>
+    <message>
+        <source>the trace is farther than {:.3g} mm from the path of the program for {}</source>
+        <translation>la trace est à plus de {} mm de la trajectoire du programme pendant {}</translation>
+    </message>
+    <message>
+        <source>nothing was recorded for {}</source>
+        <translation>rien n’a été enregistré pendant {}</translation>
+    </message>
+    <message>
+        <source>the trace does not belong to this program: {:.1f} % of its way runs along the path, and along {:.1f} % of it</source>
+        <translation>la trace n’est pas celle de ce programme&#xa0;: {} % de son parcours suit la trajectoire, et {} % de celle-ci est suivi</translation>
+    </message>
+    <message>
+        <source>the trace covers {:.1f} % of the path of the program, {}; only that is compared</source>
+        <translation>la trace couvre {} % de la trajectoire du programme, {}&#xa0;; seule cette partie est comparée</translation>
+    </message>
+    <message>
+        <source>the trace holds {} passes through the program; the first is compared</source>
+        <translation>la trace contient {} passages du programme&#xa0;; le premier est comparé</translation>
+    </message>
+    <message>
+        <source>{} goes to {:.4g} km, beyond the travel of any machine</source>
+        <translation>{} va à {} km, au-delà de la course de toute machine</translation>
+    </message>
+    <message>
+        <source>a motion of {:.4g} km is longer than any machine makes</source>
+        <translation>un déplacement de {} km est plus long que sur toute machine</translation>
+    </message>
+    <message>
+        <source>{:.4g} days pass up to this line, which runs at F{:.4g} mm/min: more than a year</source>
+        <translation>{} jours passent jusqu’à cette ligne, parcourue à F{} mm/min&#xa0;: plus d’un an</translation>
+    </message>
+    <message>
+        <source>{:.4g} days pass up to this line, which waits for {:.4g} of them: more than a year</source>
+        <translation>{} jours passent jusqu’à cette ligne, dont {} d’attente dans celle-ci&#xa0;: plus d’un an</translation>
+    </message>
+    <message>
+        <source>a rotary axis goes to {:.4g} degrees, beyond what any machine turns</source>
+        <translation>un axe rotatif va à {} degrés, plus que ne tourne aucune machine</translation>
+    </message>
+    <message>
+        <source>Heidenhain advises a contour tolerance of 110 to 200 % of the chord error: {:.2g} to {:.2g} mm</source>
+        <translation>Heidenhain conseille une tolérance de contour de 110 à 200 % de l’erreur de corde&#xa0;: {} à {} mm</translation>
+    </message>
+    <message>
+        <source>short lines lie about {:.2g} mm from the curve that they stand for: chord error, estimated from {} lines</source>
+        <translation>des petits segments sont à environ {} mm de la courbe qu’ils remplacent&#xa0;: erreur de corde, estimée sur {} segments</translation>
+    </message>
+    <message>
+        <source>The program has {} full circles; the first {} are evaluated.</source>
+        <translation>Le programme contient {} cercles complets&#xa0;; les {} premiers sont évalués.</translation>
+    </message>
+    <message>
+        <source>Not evaluated: {} helices with full turns.</source>
+        <translation>Non évalué&#xa0;: {} hélices à tours complets.</translation>
+    </message>
+    <message>
+        <source>Not evaluated: {} full circles outside the planes XY, ZX and YZ.</source>
+        <translation>Non évalué&#xa0;: {} cercles complets hors des plans XY, ZX et YZ.</translation>
+    </message>
+    <message>
+        <source>radius = {} mm is out of bounds; it must be at least 0.001 mm and at most {} mm</source>
+        <translation>rayon = {} mm hors limites&#xa0;; il doit être d’au moins 0,001 mm et d’au plus {} mm</translation>
+    </message>
+    <message>
+        <source>feed = {} mm/min is out of bounds; it must be above 0 mm/min</source>
+        <translation>avance = {} mm/min hors limites&#xa0;; elle doit être supérieure à 0 mm/min</translation>
+    </message>
+    <message>
+        <source>sweep = {} degrees is out of bounds; it must be above 0 and at most 360</source>
+        <translation>angle = {} degrés hors limites&#xa0;; il doit être supérieur à 0 et d’au plus 360</translation>
+    </message>
+    <message>
+        <source>entry radius = {} mm is out of bounds; it must be at least 0 mm and at most the radius of {} mm</source>
+        <translation>rayon d’entrée = {} mm hors limites&#xa0;; il doit être d’au moins 0 mm et au plus du rayon de {} mm</translation>
+    </message>
+    <message>
+        <source>The program is written for {}, but {} has a {}: path and times are those of that control. No published machine has a {} control; use your own machine file.</source>
+        <translation>Le programme est écrit pour {}, mais {} a une {}&#xa0;: trajectoire et temps sont ceux de cette commande. Aucune machine publiée n’a de commande {}&#xa0;; utilisez votre propre fichier de machine.</translation>
+    </message>
+    <message>
+        <source>The program is written for {}, but {} has a {}: path and times are those of that control. Use machine {}, whose control reads it.</source>
+        <translation>Le programme est écrit pour {}, mais {} a une {}&#xa0;: trajectoire et temps sont ceux de cette commande. Utilisez la machine {}, dont la commande le lit.</translation>
+    </message>
+    <message>
+        <source>{} tool change</source>
+        <translation>{} changement d’outil</translation>
+    </message>
+    <message>
+        <source>{} tool changes</source>
+        <translation>{} changements d’outil</translation>
+    </message>
+    <message>
+        <source>{} spindle start</source>
+        <translation>{} démarrage de la broche</translation>
+    </message>
+    <message>
+        <source>{} spindle starts</source>
+        <translation>{} démarrages de la broche</translation>
+    </message>
+    <message>
+        <source>{} program stop (M0, M1)</source>
+        <translation>{} arrêt programme (M0, M1)</translation>
+    </message>
+    <message>
+        <source>{} program stops (M0, M1)</source>
+        <translation>{} arrêts programme (M0, M1)</translation>
+    </message>
+    <message>
+        <source>{} move to or from a machine position</source>
+        <translation>{} déplacement vers ou depuis une position machine</translation>
+    </message>
+    <message>
+        <source>{} moves to or from machine positions</source>
+        <translation>{} déplacements vers ou depuis des positions machine</translation>
+    </message>
+    <message>
+        <source>{} turn of rotary axes for a tilted plane</source>
+        <translation>{} rotation d’axes rotatifs pour un plan incliné</translation>
+    </message>
+    <message>
+        <source>{} turns of rotary axes for tilted planes</source>
+        <translation>{} rotations d’axes rotatifs pour des plans inclinés</translation>
+    </message>
+    <message>
+        <source>{} possible delay by X, Y and Z that follow rotary axes (tool length or part zero unknown)</source>
+        <translation>{} retard possible par X, Y et Z qui suivent les axes rotatifs (longueur d’outil ou origine de la pièce inconnue)</translation>
+    </message>
+    <message>
+        <source>{} possible delays by X, Y and Z that follow rotary axes (tool length or part zero unknown)</source>
+        <translation>{} retards possibles par X, Y et Z qui suivent les axes rotatifs (longueur d’outil ou origine de la pièce inconnue)</translation>
+    </message>
+    <message>
+        <source>motion of {}</source>
+        <translation>mouvement de {}</translation>
+    </message>
+    <message>
+        <source>{} to {}</source>
+        <translation>{} à {}</translation>
+    </message>
+    <message>
+        <source>{}, {}</source>
+        <translation>{}, {}</translation>
+    </message>
+    <message>
+        <source>{} and {} more</source>
+        <translation>{} et {} de plus</translation>
+    </message>
+    <message>
+        <source>1 line of the program is refused by the control and not run (line {}).</source>
+        <translation>1 ligne du programme est refusée par la commande et n’est pas exécutée (ligne {}).</translation>
+    </message>
+    <message>
+        <source>{} lines of the program are refused by the control and not run (lines {}).</source>
+        <translation>{} lignes du programme sont refusées par la commande et ne sont pas exécutées (lignes {}).</translation>
+    </message>
+    <message>
+        <source>{}, line {}: {}</source>
+        <translation>{}, ligne {}&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>{}; before that, {} ({})</source>
+        <translation>{}&#xa0;; avant cela, {} ({})</translation>
+    </message>
+    <message>
+        <source>{}; {}</source>
+        <translation>{}&#xa0;; {}</translation>
+    </message>
+    <message>
+        <source>{}; the program is not simulated: check its loops, raise the limit (--repeat-limit), or simulate the part that was read (--simulate-cut-off)</source>
+        <translation>{}&#xa0;; le programme n’est pas simulé&#xa0;: vérifiez ses boucles, augmentez la limite (--repeat-limit), ou simulez la partie lue (--simulate-cut-off)</translation>
+    </message>
+    <message>
+        <source>The drive of axis {0} is poorly damped: it overshoots a step by {1:.0f} %; a smaller {0}.kv or {0}.velocity_lag damps it better.</source>
+        <translation>L’entraînement de l’axe {0} est mal amorti&#xa0;: il dépasse un échelon de {1}&#xa0;%&#xa0;; un {0}.kv ou un {0}.velocity_lag plus petit l’amortit mieux.</translation>
+    </message>
+    <message>
+        <source>No drive is given for {}: followed exactly.</source>
+        <translation>Aucun entraînement n’est donné pour {}&#xa0;: suivi exact.</translation>
+    </message>
+    <message>
+        <source>Rotary axes: line {}: {}.</source>
+        <translation>Axes rotatifs&#xa0;: ligne {}&#xa0;: {}.</translation>
+    </message>
+    <message>
+        <source>Rotary axes: line {}: {}. {} more.</source>
+        <translation>Axes rotatifs&#xa0;: ligne {}&#xa0;: {}. {} de plus.</translation>
+    </message>
+    <message>
+        <source>Positions of rotary axes that the machine does not reach: line {}: {}.</source>
+        <translation>Positions d’axes rotatifs que la machine n’atteint pas&#xa0;: ligne {}&#xa0;: {}.</translation>
+    </message>
+    <message>
+        <source>Positions of rotary axes that the machine does not reach: line {}: {}. {} more.</source>
+        <translation>Positions d’axes rotatifs que la machine n’atteint pas&#xa0;: ligne {}&#xa0;: {}. {} de plus.</translation>
+    </message>
+    <message>
+        <source>The program was read with work offsets other than those of the machine ({}).</source>
+        <translation>Le programme a été lu avec d’autres décalages d’origine que ceux de la machine ({}).</translation>
+    </message>
+    <message>
+        <source>the sweeps need more than {} runs; use fewer values</source>
+        <translation>les balayages demandent plus de {} simulations&#xa0;; prenez moins de valeurs</translation>
+    </message>
+    <message>
+        <source>sweep &apos;{}&apos;: {}; write KEY=FROM:TO:logN, KEY=FROM:TO:linN or &quot;KEY=A;B;C&quot;, such as tolerance=0.005:0.1:log12</source>
+        <translation>balayage &apos;{}&apos;&#xa0;: {}&#xa0;; écrivez KEY=FROM:TO:logN, KEY=FROM:TO:linN ou &quot;KEY=A;B;C&quot;, par exemple tolerance=0.005:0.1:log12</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a number, and only numbers can be swept</source>
+        <translation>&apos;{}&apos; n’est pas un nombre, et seuls des nombres peuvent être balayés</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has a comma: {}</source>
+        <translation>&apos;{}&apos; contient une virgule&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>a range has three parts, not {}</source>
+        <translation>une plage a trois parties, et non {}</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is neither logN nor linN</source>
+        <translation>&apos;{}&apos; n’est ni logN ni linN</translation>
+    </message>
+    <message>
+        <source>{} values; there must be a whole number from 2 to {}</source>
+        <translation>{} valeurs&#xa0;; il faut un nombre entier de 2 à {}</translation>
+    </message>
+    <message>
+        <source>from {} to {} is not a range</source>
+        <translation>de {} à {}, ce n’est pas une plage</translation>
+    </message>
+    <message>
+        <source>equal ratios need ends above 0, not {}</source>
+        <translation>des rapports égaux demandent des bornes supérieures à 0, et non {}</translation>
+    </message>
+    <message>
+        <source>{} values; there must be 2 to {}</source>
+        <translation>{} valeurs&#xa0;; il en faut de 2 à {}</translation>
+    </message>
+    <message>
+        <source>{:.0f} to {:.0f} %</source>
+        <translation>{} à {}&#xa0;%</translation>
+    </message>
+    <message>
+        <source>{:.0f} %</source>
+        <translation>{}&#xa0;%</translation>
+    </message>
+    <message>
+        <source>The contour tolerance of {} mm is {} of the estimated chord error of the short lines ({:.2g} mm); Heidenhain advises 110 to 200 %.</source>
+        <translation>La tolérance de contour de {} mm vaut {} de l’erreur de corde estimée des droites courtes ({} mm)&#xa0;; Heidenhain conseille 110 à 200&#xa0;%.</translation>
+    </message>
+    <message>
+        <source>{} limits {:.3g} s of the cycle time ({:.2g} %), but the recordings that the machine was identified from do not determine it.</source>
+        <translation>{} limite {} s du temps de cycle ({} %), mais les enregistrements dont la machine a été identifiée ne déterminent pas cette valeur.</translation>
+    </message>
+    <message>
+        <source>Line {} asks for a feed of {:.0f} mm/min; all axes of this machine together reach {:.0f} mm/min: what is lost against the programmed feed tells little there.</source>
+        <translation>La ligne {} demande une avance de {} mm/min&#xa0;; tous les axes de cette machine ensemble atteignent {} mm/min&#xa0;: ce qui est perdu par rapport à l’avance programmée n’y dit pas grand-chose.</translation>
+    </message>
+    <message>
+        <source>also in line {}</source>
+        <translation>aussi à la ligne {}</translation>
+    </message>
+    <message>
+        <source>also in lines {}</source>
+        <translation>aussi aux lignes {}</translation>
+    </message>
+    <message>
+        <source>{} more up to line {}</source>
+        <translation>{} autres jusqu’à la ligne {}</translation>
+    </message>
+    <message>
+        <source>{} and {}</source>
+        <translation>{} et {}</translation>
+    </message>
+    <message>
+        <source>a number has one decimal separator and no thousands separators; write {}</source>
+        <translation>un nombre a un seul séparateur décimal et pas de séparateur de milliers&#xa0;; écrivez {}</translation>
+    </message>
+    <message>
+        <source>the comma could be a decimal or a thousands separator; write {} or {}</source>
+        <translation>la virgule pourrait être un séparateur décimal ou de milliers&#xa0;; écrivez {} ou {}</translation>
+    </message>
+    <message>
+        <source>a comma does not separate values here; write &quot;{}&quot; in quotes</source>
+        <translation>une virgule ne sépare pas de valeurs ici&#xa0;; écrivez &quot;{}&quot; entre guillemets</translation>
+    </message>
+    <message>
+        <source>the comma could be a decimal separator or separate values; write {} for one value, &quot;{}&quot; in quotes for several</source>
+        <translation>la virgule peut être un signe décimal ou séparer des valeurs&#xa0;; écrivez {} pour une valeur, &quot;{}&quot; entre guillemets pour plusieurs</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no number of model &apos;{}&apos; that can be fitted; {}</source>
+        <translation>&apos;{}&apos; n’est pas un nombre du modèle &apos;{}&apos; qui puisse être ajusté&#xa0;; {}</translation>
+    </message>
+    <message>
+        <source>known: {}</source>
+        <translation>sont connus&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>did you mean &apos;{}&apos;?</source>
+        <translation>vouliez-vous dire &apos;{}&apos; ?</translation>
+    </message>
+    <message>
+        <source>{} = {} {} is out of bounds; it must be from {} to {} {}</source>
+        <translation>{} = {} {} hors limites&#xa0;; il faut de {} à {} {}</translation>
+    </message>
+    <message>
+        <source>there is no test program for dialect &apos;{}&apos;; there is one for iso, fanuc, linuxcnc, grbl, sinumerik and heidenhain</source>
+        <translation>il n’y a pas de programme d’essai pour le dialecte &apos;{}&apos;&#xa0;; il y en a un pour iso, fanuc, linuxcnc, grbl, sinumerik et heidenhain</translation>
+    </message>
+    <message>
+        <source>{} is told by set and actual positions of {}; no trace has both: record the actual position too, and name it if need be, as --columns actual_{}=5:mm</source>
+        <translation>{} se détermine par les positions de consigne et réelles de {}&#xa0;; aucune trace n’a les deux&#xa0;: enregistrez aussi la position réelle, et nommez-la au besoin, comme --columns actual_{}=5:mm</translation>
+    </message>
+    <message>
+        <source>{}: the sections take {:.4g} times what machine &apos;{}&apos; takes in the simulation; {}</source>
+        <translation>{} : les sections prennent {} fois le temps de la machine « {} » dans la simulation ; {}</translation>
+    </message>
+    <message>
+        <source>{}:{}: not a table of section times; the first row must have the titles, such as section,seconds</source>
+        <translation>{}:{}&#xa0;: ce n’est pas un tableau de temps de sections&#xa0;; la première ligne doit porter les titres, par exemple section,seconds</translation>
+    </message>
+    <message>
+        <source>{}:{}: &apos;{}&apos; is not a section and its time; a row is like 12,1.234, with a time above 0 and below {:g} s</source>
+        <translation>{}:{}&#xa0;: «&#xa0;{}&#xa0;» n’est pas une section et son temps&#xa0;; une ligne est de la forme 12,1.234, avec un temps supérieur à 0 et inférieur à {}&#xa0;s</translation>
+    </message>
+    <message>
+        <source>{}:{}: section {} has a time in line {} already; keep one of the two</source>
+        <translation>{}:{}&#xa0;: la section {} a déjà un temps à la ligne {}&#xa0;; garder l’un des deux</translation>
+    </message>
+    <message>
+        <source>{}: section times given: {}; at least {} can tell something</source>
+        <translation>{}&#xa0;: temps de sections donnés&#xa0;: {}&#xa0;; il en faut au moins {} pour révéler quelque chose</translation>
+    </message>
+    <message>
+        <source>{}:{}: {} has no section &apos;{}&apos;; a section is marked by the comments SECTION 12 BEGINS and SECTION 12 ENDS, or is given by its lines, as 40-55</source>
+        <translation>{}:{}&#xa0;: {} n’a pas de section «&#xa0;{}&#xa0;»&#xa0;; une section est marquée par les commentaires SECTION 12 BEGINS et SECTION 12 ENDS, ou donnée par ses lignes, par exemple 40-55</translation>
+    </message>
+    <message>
+        <source>{}: the trace does not belong to its program as it is: {}; {}</source>
+        <translation>{}&#xa0;: telle quelle, la trace n’est pas celle de son programme&#xa0;: {}&#xa0;; {}</translation>
+    </message>
+    <message>
+        <source>{}: the trace does not belong to its program: {:.1f} % of its way runs along the path within {:.3g} mm, and along {:.1f} % of it; give the program that was recorded, with the zero point it ran with</source>
+        <translation>{}&#xa0;: la trace n’est pas celle de son programme&#xa0;: {}&#xa0;% de son parcours suit le trajet à moins de {}&#xa0;mm, et sur {}&#xa0;% de celui-ci&#xa0;; donner le programme enregistré, avec l’origine avec laquelle il a tourné</translation>
+    </message>
+    <message>
+        <source>{}: no limits can be found from this trace: {}; {}</source>
+        <translation>{}&#xa0;: aucune limite ne peut être trouvée d’après cette trace&#xa0;: {}&#xa0;; {}</translation>
+    </message>
+    <message>
+        <source>{}: the trace holds too little of its program to find anything from it</source>
+        <translation>{}&#xa0;: la trace contient trop peu de son programme pour en tirer quelque chose</translation>
+    </message>
+    <message>
+        <source>ae_mm {:.6g} is larger than diameter_mm {:.6g}; a tool is engaged over its diameter at most: lower ae_mm, {:.6g} is a full slot</source>
+        <translation>ae_mm {} dépasse diameter_mm {}&#xa0;; un outil est engagé au plus sur son diamètre&#xa0;: réduisez ae_mm, {} est un rainurage en pleine matière</translation>
+    </message>
+    <message>
+        <source>lines {}-{} is no range; write FIRST-LAST, counted from 1</source>
+        <translation>lignes {}-{}&#xa0;: ce n’est pas une plage&#xa0;; écrivez PREMIÈRE-DERNIÈRE, comptées à partir de 1</translation>
+    </message>
+    <message>
+        <source>min_chip_um {:.6g} is not below max_chip_um {:.6g}; every chip would be out of bounds</source>
+        <translation>min_chip_um {} n’est pas inférieur à max_chip_um {}&#xa0;; tout copeau serait hors limites</translation>
+    </message>
+    <message>
+        <source>tool {}</source>
+        <translation>outil {}</translation>
+    </message>
+    <message>
+        <source>all tools, lines {}</source>
+        <translation>tous les outils, lignes {}</translation>
+    </message>
+    <message>
+        <source>tool {}, lines {}</source>
+        <translation>outil {}, lignes {}</translation>
+    </message>
+    <message>
+        <source>{} in {} must be a number</source>
+        <translation>{} dans {} doit être un nombre</translation>
+    </message>
+    <message>
+        <source>milling &apos;{}&apos; is not known; write &quot;up&quot; (conventional) or &quot;down&quot; (climb)</source>
+        <translation>fraisage &apos;{}&apos; inconnu&#xa0;; écrivez &quot;up&quot; (en opposition) ou &quot;down&quot; (en avalant)</translation>
+    </message>
+    <message>
+        <source>law &apos;{}&apos; is not known; write &quot;linear-edge&quot; or &quot;kienzle&quot;</source>
+        <translation>loi &apos;{}&apos; inconnue&#xa0;; écrivez &quot;linear-edge&quot; ou &quot;kienzle&quot;</translation>
+    </message>
+    <message>
+        <source>{} has no tangential cutting force; {} must be above 0</source>
+        <translation>{} n’a pas d’effort de coupe tangentiel&#xa0;; {} doit être supérieur à 0</translation>
+    </message>
+    <message>
+        <source>material &apos;{}&apos; is given twice; remove one or give it another id</source>
+        <translation>la matière &apos;{}&apos; est donnée deux fois&#xa0;; supprimez-en une ou donnez-lui un autre identifiant</translation>
+    </message>
+    <message>
+        <source>load files of version {:.0f} are not known; this program reads version {:.0f}</source>
+        <translation>les fichiers de charge de la version {} ne sont pas connus&#xa0;; ce programme lit la version {}</translation>
+    </message>
+    <message>
+        <source>operations {} ({}) and {} ({}) apply to the same motions; remove one, or give each its own tool or lines</source>
+        <translation>les opérations {} ({}) et {} ({}) s’appliquent aux mêmes déplacements&#xa0;; supprimez-en une, ou donnez à chacune son outil ou ses lignes</translation>
+    </message>
+    <message>
+        <source>the load file has an operation for tool {}, but the program changes to no tool; omit &apos;tool&apos;, so that the operation applies to all motions</source>
+        <translation>le fichier de charge a une opération pour l’outil {}, mais le programme n’appelle aucun outil&#xa0;; supprimez &apos;tool&apos;, pour que l’opération s’applique à tous les déplacements</translation>
+    </message>
+    <message>
+        <source>the load file has an operation for tool {}, which the program never changes to; {}</source>
+        <translation>le fichier de charge a une opération pour l’outil {}, que le programme n’appelle jamais&#xa0;; {}</translation>
+    </message>
+    <message>
+        <source>its tools are {}</source>
+        <translation>ses outils sont {}</translation>
+    </message>
+    <message>
+        <source>did you mean tool {}?</source>
+        <translation>vouliez-vous dire l’outil {}&#xa0;?</translation>
+    </message>
+    <message>
+        <source>the load file has an operation for lines {}-{}, but the program has {} lines; correct the range</source>
+        <translation>le fichier de charge a une opération pour les lignes {}-{}, mais le programme compte {} lignes&#xa0;; corrigez la plage</translation>
+    </message>
+    <message>
+        <source>operation of {}: {}</source>
+        <translation>opération de {}&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>material &apos;{}&apos; is not known; {}, or add a [[material]] with its coefficients</source>
+        <translation>la matière &apos;{}&apos; n’est pas connue&#xa0;; {}, ou ajoutez un [[material]] avec ses coefficients</translation>
+    </message>
+    <message>
+        <source>use one such as &apos;{}&apos;</source>
+        <translation>utilisez-en une comme &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>axis {} has values of a drive but no position gain; give {}.kv in 1/s, or remove the others</source>
+        <translation>l’axe {} a des valeurs d’entraînement mais pas de gain de position&#xa0;; donnez {}.kv en 1/s, ou supprimez les autres</translation>
+    </message>
+    <message>
+        <source>axis {} has a friction spike but no time in which it decays; give {}.friction_time in ms</source>
+        <translation>l’axe {} a un pic de frottement mais pas de temps de décroissance&#xa0;; donnez {}.friction_time en ms</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos; in {}; {}</source>
+        <translation>clé &apos;{}&apos; inconnue dans {}&#xa0;; {}</translation>
+    </message>
+    <message>
+        <source>key &apos;{}&apos; is missing in {}</source>
+        <translation>il manque la clé &apos;{}&apos; dans {}</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; in {} must be a table</source>
+        <translation>&apos;{}&apos; dans {} doit être une table</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; in {} must be a text in quotes</source>
+        <translation>&apos;{}&apos; dans {} doit être un texte entre guillemets</translation>
+    </message>
+    <message>
+        <source>not valid TOML: {}</source>
+        <translation>TOML non valide&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is a folder; give a {}</source>
+        <translation>&apos;{}&apos; est un dossier&#xa0;; il faut un fichier&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>cannot read {} &apos;{}&apos;: {}</source>
+        <translation>&apos;{1}&apos; ne peut pas être lu ({0})&#xa0;: {2}</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is larger than {} MiB and cannot be a {}</source>
+        <translation>&apos;{}&apos; dépasse {} Mio et ne peut pas être ce qui est attendu&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a parameter; it is skipped</source>
+        <translation>&apos;{}&apos; n’est pas un paramètre&#xa0;; il est ignoré</translation>
+    </message>
+    <message>
+        <source>{} ({}) is not modelled</source>
+        <translation>{} ({}) n’est pas modélisé</translation>
+    </message>
+    <message>
+        <source>there is no linear axis {}; its limits are assumed</source>
+        <translation>il n’y a pas d’axe linéaire {}&#xa0;; ses limites sont supposées</translation>
+    </message>
+    <message>
+        <source>{} is the cutting feed without look-ahead control; that with it, {}, is used</source>
+        <translation>{} est l’avance de coupe sans commande anticipée&#xa0;; celle avec elle, {}, est utilisée</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a setting; it is skipped</source>
+        <translation>&apos;{}&apos; n’est pas un réglage&#xa0;; il est ignoré</translation>
+    </message>
+    <message>
+        <source>${} = {}, but {} in {}; {} is used</source>
+        <translation>${} = {}, mais {} dans {}&#xa0;; {} est utilisé</translation>
+    </message>
+    <message>
+        <source>{} is simulated as grbl with its values; what it does otherwise is not modelled</source>
+        <translation>{} est simulé comme grbl avec ses valeurs&#xa0;; ce qu’il fait autrement n’est pas modélisé</translation>
+    </message>
+    <message>
+        <source>the acceleration along the path, {} m/s2, is not modelled: those of the axes hold</source>
+        <translation>l’accélération le long de la trajectoire, {} m/s², n’est pas modélisée&#xa0;: celles des axes valent</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a machine parameter; it is skipped</source>
+        <translation>&apos;{}&apos; n’est pas un paramètre machine&#xa0;; il est ignoré</translation>
+    </message>
+    <message>
+        <source>{} must be above {}: Klipper does not start with it</source>
+        <translation>{} doit être supérieur à {}&#xa0;: Klipper ne démarre pas ainsi</translation>
+    </message>
+    <message>
+        <source>{} exceeds {} = {} ({}): Klipper does not start with it</source>
+        <translation>{} dépasse {} = {} ({})&#xa0;: Klipper ne démarre pas ainsi</translation>
+    </message>
+    <message>
+        <source>lower {}</source>
+        <translation>réduisez {}</translation>
+    </message>
+    <message>
+        <source>kinematics {} are not modelled: limits hold along the path, and those of Z alone</source>
+        <translation>la cinématique {} n’est pas modélisée&#xa0;: les limites valent le long de la trajectoire, et celles de Z seules</translation>
+    </message>
+    <message>
+        <source>[printer] {} is not used here; skipped</source>
+        <translation>[printer] {} n’est pas utilisé ici&#xa0;; ignoré</translation>
+    </message>
+    <message>
+        <source>LINEAR_UNITS = {} is not a unit; mm is assumed</source>
+        <translation>LINEAR_UNITS = {} n’est pas une unité&#xa0;; le mm est supposé</translation>
+    </message>
+    <message>
+        <source>kinematics {} is not modelled: X, Y and Z are treated as axes of their own</source>
+        <translation>la cinématique {} n’est pas modélisée&#xa0;: X, Y et Z sont traités comme des axes indépendants</translation>
+    </message>
+    <message>
+        <source>axis {} is not part of the simulation; skipped</source>
+        <translation>l’axe {} ne fait pas partie de la simulation&#xa0;; ignoré</translation>
+    </message>
+    <message>
+        <source>[{}] gives no {}; that of [{}] is assumed</source>
+        <translation>[{}] ne donne pas {}&#xa0;; celui de [{}] est supposé</translation>
+    </message>
+    <message>
+        <source>write {} into [{}]: LinuxCNC does not take it from the joint</source>
+        <translation>écrivez {} dans [{}]&#xa0;: LinuxCNC ne le prend pas de l’articulation (joint)</translation>
+    </message>
+    <message>
+        <source>{} of axis {} is missing; it is assumed</source>
+        <translation>{} de l’axe {} manque&#xa0;; il est supposé</translation>
+    </message>
+    <message>
+        <source>write {} into [{}]</source>
+        <translation>écrivez {} dans [{}]</translation>
+    </message>
+    <message>
+        <source>[{}] {} = {} exceeds [{}] {} = {} ({}); the planner uses {}</source>
+        <translation>[{}] {} = {} dépasse [{}] {} = {} ({})&#xa0;; le planificateur utilise {}</translation>
+    </message>
+    <message>
+        <source>[TRAJ] {} = {} is not modelled; the model computes with {}</source>
+        <translation>[TRAJ] {} = {} n’est pas modélisé&#xa0;; le modèle calcule avec {}</translation>
+    </message>
+    <message>
+        <source>P of G64 in the start-up code has no effect on blends in LinuxCNC 2.9; P{} is used for joining blocks alone</source>
+        <translation>P de G64 dans le code de démarrage n’a pas d’effet sur les raccords dans LinuxCNC 2.9&#xa0;; P{} ne sert qu’à réunir des blocs</translation>
+    </message>
+    <message>
+        <source>[{}] {} is not known; skipped</source>
+        <translation>[{}] {} n’est pas connu&#xa0;; ignoré</translation>
+    </message>
+    <message>
+        <source>the offsets of {} are not in the INI file; 0 is assumed</source>
+        <translation>les décalages de {} ne sont pas dans le fichier INI&#xa0;; 0 est supposé</translation>
+    </message>
+    <message>
+        <source>{} of axis {} cannot be used: {}</source>
+        <translation>{} de l’axe {} n’est pas utilisable&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>{} cannot be used: {}</source>
+        <translation>{} n’est pas utilisable&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>{}: &apos;{}&apos; is not a number</source>
+        <translation>{}&#xa0;: &apos;{}&apos; n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>not used: {}</source>
+        <translation>non utilisé&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>not used: {} and {} more</source>
+        <translation>non utilisé&#xa0;: {} et {} de plus</translation>
+    </message>
+    <message>
+        <source>{} more notes are not listed</source>
+        <translation>{} remarques de plus ne sont pas affichées</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not the configuration of a control that can be imported; known: {}</source>
+        <translation>&apos;{}&apos; n’est pas la configuration d’une commande qui puisse être importée&#xa0;; connues&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>{}: &apos;{}&apos; is not a value; it is skipped</source>
+        <translation>{}&#xa0;: &apos;{}&apos; n’est pas une valeur&#xa0;; elle est ignorée</translation>
+    </message>
+    <message>
+        <source>{}, but {} in {}; {} is used</source>
+        <translation>{}, mais {} dans {}&#xa0;; {} est utilisé</translation>
+    </message>
+    <message>
+        <source>{} exceeds {} ({}); the lower one is used</source>
+        <translation>{} dépasse {} ({})&#xa0;; la plus petite est utilisée</translation>
+    </message>
+    <message>
+        <source>acceleration of travel moves {} is not modelled: they have that of the others</source>
+        <translation>l’accélération des déplacements à vide {} n’est pas modélisée&#xa0;: ils ont celle des autres</translation>
+    </message>
+    <message>
+        <source>there is no model of {}: Klipper&apos;s runs its limits; its look-ahead has no end, while that of the firmware has some 16 blocks, so that short blocks may take longer there</source>
+        <translation>il n’y a pas de modèle de {}&#xa0;: celui de Klipper applique ses limites&#xa0;; son anticipation est sans fin, alors que celle du micrologiciel compte quelque 16 blocs, des blocs courts peuvent donc y prendre plus de temps</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is neither a section nor a value; skipped</source>
+        <translation>&apos;{}&apos; n’est ni une section ni une valeur&#xa0;; ignoré</translation>
+    </message>
+    <message>
+        <source>[{}] {} = {}, but {} in {}; {} is used</source>
+        <translation>[{}] {} = {}, mais {} dans {}&#xa0;; {} est utilisé</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; cannot be included: {}</source>
+        <translation>&apos;{}&apos; ne peut pas être inclus&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>more than {} files deep</source>
+        <translation>plus de {} fichiers imbriqués</translation>
+    </message>
+    <message>
+        <source>more than {} files</source>
+        <translation>plus de {} fichiers</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no machine datum; skipped</source>
+        <translation>&apos;{}&apos; n’est pas une donnée machine&#xa0;; ignoré</translation>
+    </message>
+    <message>
+        <source>machine axis {} would be {} but is a rotary axis; its limits are assumed</source>
+        <translation>l’axe machine {} serait {} mais est un axe rotatif&#xa0;; ses limites sont supposées</translation>
+    </message>
+    <message>
+        <source>{} holds with {}; the value of DYNNORM, {}, is used</source>
+        <translation>{} vaut avec {}&#xa0;; la valeur de DYNNORM, {}, est utilisée</translation>
+    </message>
+    <message>
+        <source>axis {} is a rotary axis, and the file does not say where it is; add [kinematics] with its chain, and {} with direction and point</source>
+        <translation>l’axe {} est un axe rotatif, et le fichier ne dit pas où il se trouve&#xa0;; ajoutez [kinematics] avec sa chaîne, et {} avec direction et point</translation>
+    </message>
+    <message>
+        <source>{} has no limits; add [axes.{}]</source>
+        <translation>{} n’a pas de limites&#xa0;; ajoutez [axes.{}]</translation>
+    </message>
+    <message>
+        <source>unknown axis &apos;{}&apos;; the axes are {}</source>
+        <translation>axe &apos;{}&apos; inconnu&#xa0;; les axes sont {}</translation>
+    </message>
+    <message>
+        <source>unknown limit &apos;{}&apos; of axis {}; {}</source>
+        <translation>limite &apos;{}&apos; inconnue de l’axe {}&#xa0;; {}</translation>
+    </message>
+    <message>
+        <source>the limits are {}</source>
+        <translation>les limites sont {}</translation>
+    </message>
+    <message>
+        <source>machine &apos;{}&apos;: {}</source>
+        <translation>machine &apos;{}&apos;&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>{} is not a work offset; write it as programs name it, such as G55, &quot;G54.1 P3&quot; or G505</source>
+        <translation>{} n’est pas un décalage d’origine&#xa0;; écrivez-le comme les programmes le nomment, par exemple G55, &quot;G54.1 P3&quot; ou G505</translation>
+    </message>
+    <message>
+        <source>{} is given twice; remove one</source>
+        <translation>{} est donné deux fois&#xa0;; supprimez-en un</translation>
+    </message>
+    <message>
+        <source>cannot read machine folder &apos;{}&apos;: {}</source>
+        <translation>le dossier de machines &apos;{}&apos; ne peut pas être lu&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>unknown machine &apos;{}&apos;: neither a machine id nor a file; {}</source>
+        <translation>machine &apos;{}&apos; inconnue&#xa0;: ni identifiant de machine, ni fichier&#xa0;; {}</translation>
+    </message>
+    <message>
+        <source>ids: {}</source>
+        <translation>identifiants&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>the chain &apos;{}&apos; {}; name X, Y, Z and the rotary axes once each from the part to the tool, with the word frame between those that carry the part and those that carry the tool, as in &quot;C A Y frame X Z&quot;</source>
+        <translation>la chaîne &apos;{}&apos; {}&#xa0;; nommez X, Y, Z et les axes rotatifs une fois chacun, de la pièce à l’outil, avec le mot frame entre ceux qui portent la pièce et ceux qui portent l’outil, comme dans &quot;C A Y frame X Z&quot;</translation>
+    </message>
+    <message>
+        <source>has the word frame twice</source>
+        <translation>contient deux fois le mot frame</translation>
+    </message>
+    <message>
+        <source>has &apos;{}&apos;, which is no axis of this machine</source>
+        <translation>contient &apos;{}&apos;, qui n’est pas un axe de cette machine</translation>
+    </message>
+    <message>
+        <source>has {} twice</source>
+        <translation>contient deux fois {}</translation>
+    </message>
+    <message>
+        <source>the travel of axis {} is empty, from {:g} to {:g} degrees</source>
+        <translation>la course de l’axe {} est vide, de {} à {} degrés</translation>
+    </message>
+    <message>
+        <source>lacks the word frame</source>
+        <translation>n’a pas le mot frame</translation>
+    </message>
+    <message>
+        <source>lacks axis {}</source>
+        <translation>n’a pas l’axe {}</translation>
+    </message>
+    <message>
+        <source>{} {}</source>
+        <translation>{} {}</translation>
+    </message>
+    <message>
+        <source>at most {}</source>
+        <translation>d’au plus {}</translation>
+    </message>
+    <message>
+        <source>finite</source>
+        <translation>finie</translation>
+    </message>
+    <message>
+        <source>0, or at least {}</source>
+        <translation>de 0, ou d’au moins {}</translation>
+    </message>
+    <message>
+        <source>at least {}</source>
+        <translation>d’au moins {}</translation>
+    </message>
+    <message>
+        <source>above {}</source>
+        <translation>supérieure à {}</translation>
+    </message>
+    <message>
+        <source>{} and at most {}</source>
+        <translation>{} et d’au plus {}</translation>
+    </message>
+    <message>
+        <source>a whole number {}</source>
+        <translation>entière {}</translation>
+    </message>
+    <message>
+        <source>setting &apos;{}&apos; has no value</source>
+        <translation>le réglage &apos;{}&apos; est sans valeur</translation>
+    </message>
+    <message>
+        <source>setting &apos;{}&apos; is the text &apos;{}&apos;, not a number</source>
+        <translation>le réglage &apos;{}&apos; est le texte &apos;{}&apos;, et non un nombre</translation>
+    </message>
+    <message>
+        <source>setting &apos;{}&apos; is the number {}, not a text</source>
+        <translation>le réglage &apos;{}&apos; est le nombre {}, et non un texte</translation>
+    </message>
+    <message>
+        <source>{} = &apos;{}&apos; is not a number; it must be {}</source>
+        <translation>{} = &apos;{}&apos; n’est pas un nombre&#xa0;; il doit être {}</translation>
+    </message>
+    <message>
+        <source>{} = &apos;{}&apos;: {}</source>
+        <translation>{} = &apos;{}&apos;&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>{} = &apos;{}&apos; is not a valid choice; it must be one of: {}</source>
+        <translation>{} = &apos;{}&apos; n’est pas un choix valable&#xa0;; il faut l’un de&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>{} = &apos;{}&apos; is text; it must be a number {}</source>
+        <translation>{} = &apos;{}&apos; est un texte&#xa0;; ce doit être un nombre&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>{} = {} is out of bounds; it must be {}</source>
+        <translation>{} = {} est hors des bornes&#xa0;; il faut une valeur {}</translation>
+    </message>
+    <message>
+        <source>{} must have one of source = &quot;paper, table&quot; and assumed = &quot;reason&quot;</source>
+        <translation>{} doit avoir soit source = &quot;paper, table&quot;, soit assumed = &quot;reason&quot;</translation>
+    </message>
+    <message>
+        <source>{} needs a source: write {{ value = ..., source = &quot;paper, table&quot; }} or {{ value = ..., assumed = &quot;reason&quot; }}</source>
+        <translation>{} demande une source&#xa0;: écrivez {{ value = ..., source = &quot;paper, table&quot; }} ou {{ value = ..., assumed = &quot;reason&quot; }}</translation>
+    </message>
+    <message>
+        <source>value of {} must be a number</source>
+        <translation>la valeur de {} doit être un nombre</translation>
+    </message>
+    <message>
+        <source>value of {} must be a number or text</source>
+        <translation>la valeur de {} doit être un nombre ou un texte</translation>
+    </message>
+    <message>
+        <source>{} of {} must be a number</source>
+        <translation>{} de {} doit être un nombre</translation>
+    </message>
+    <message>
+        <source>machine &apos;{}&apos;: axis {} moves in this program, but one of its limits is {}; every limit of an axis that moves must be above 0</source>
+        <translation>machine &apos;{}&apos;&#xa0;: l’axe {} se déplace dans ce programme, mais l’une de ses limites vaut {}&#xa0;; toute limite d’un axe qui se déplace doit être supérieure à 0</translation>
+    </message>
+    <message>
+        <source>unknown model &apos;{}&apos;; known models: {}</source>
+        <translation>modèle &apos;{}&apos; inconnu&#xa0;; modèles connus&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>unknown model &apos;{}&apos;; did you mean &apos;{}&apos;? known models: {}</source>
+        <translation>modèle &apos;{}&apos; inconnu&#xa0;; vouliez-vous dire &apos;{}&apos;&#xa0;? modèles connus&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>radius {} mm at its start, {} mm at its end</source>
+        <translation>rayon de {} mm au début, de {} mm à la fin</translation>
+    </message>
+    <message>
+        <source>grbl rejects the line (error {}: {}); it is not run</source>
+        <translation>grbl rejette la ligne (erreur {}&#xa0;: {})&#xa0;; elle n’est pas exécutée</translation>
+    </message>
+    <message>
+        <source>grbl rejects the line (error {}: {}: {}); it is not run</source>
+        <translation>grbl rejette la ligne (erreur {}&#xa0;: {}&#xa0;: {})&#xa0;; elle n’est pas exécutée</translation>
+    </message>
+    <message>
+        <source>{} times the limit</source>
+        <translation>{} fois la limite</translation>
+    </message>
+    <message>
+        <source>{} of every axis: along the path the change of the acceleration (v&apos;&apos;) and the part due to curvature (v^3 k^2) each stay within {}, together within {} times the limit; across the path (3 v v&apos; k) it is not bounded</source>
+        <translation>{} de chaque axe&#xa0;: le long de la trajectoire, la variation de l’accélération (v&apos;&apos;) et la part due à la courbure (v^3 k^2) restent chacune au plus à {}, ensemble au plus à {} fois la limite&#xa0;; normalement à la trajectoire (3 v v&apos; k), sans borne</translation>
+    </message>
+    <message>
+        <source>{} of every axis: along and across the path it stays within {} each, together within {} times the limit</source>
+        <translation>{} de chaque axe&#xa0;: le long de la trajectoire et normalement à elle, au plus {} chacune, ensemble au plus {} fois la limite</translation>
+    </message>
+    <message>
+        <source>{} are not bounded</source>
+        <translation>{} sans borne</translation>
+    </message>
+    <message>
+        <source>{} is not bounded</source>
+        <translation>{} sans borne</translation>
+    </message>
+    <message>
+        <source>{} of every axis are kept</source>
+        <translation>{} de chaque axe dans leurs limites</translation>
+    </message>
+    <message>
+        <source>{} of every axis is kept</source>
+        <translation>{} de chaque axe dans sa limite</translation>
+    </message>
+    <message>
+        <source>{} of every axis stay within {} times the limit</source>
+        <translation>{} de chaque axe au plus à {} fois la limite</translation>
+    </message>
+    <message>
+        <source>{} of every axis stays within {} times the limit</source>
+        <translation>{} de chaque axe au plus à {} fois la limite</translation>
+    </message>
+    <message>
+        <source>Never faster than {}; rapids run at the maximum velocity of the control.</source>
+        <translation>Jamais plus vite que {}&#xa0;; les rapides vont à la vitesse maximale de la commande.</translation>
+    </message>
+    <message>
+        <source>Never faster than {}; rapids never faster than the axes allow.</source>
+        <translation>Jamais plus vite que {}&#xa0;; les rapides jamais plus vite que les axes ne le permettent.</translation>
+    </message>
+    <message>
+        <source>Never faster than {} times {}.</source>
+        <translation>Jamais plus vite que {} fois {}.</translation>
+    </message>
+    <message>
+        <source>Every programmed corner lies within {} times the contour tolerance of the path; tangent transitions between blocks are passed exactly.</source>
+        <translation>Chaque angle programmé est à moins de {} fois la tolérance de contour de la trajectoire&#xa0;; les transitions tangentes entre blocs sont suivies exactement.</translation>
+    </message>
+    <message>
+        <source>Every programmed corner lies within {} times the contour tolerance of the path.</source>
+        <translation>Chaque angle programmé est à moins de {} fois la tolérance de contour de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>Where rotary axes turn in rapids, every axis of the machine stays within {} times its velocity.</source>
+        <translation>Là où des axes rotatifs tournent en rapide, chaque axe de la machine reste en deçà de {} fois sa vitesse maximale.</translation>
+    </message>
+    <message>
+        <source>Where rotary axes turn, every axis of the machine stays within {} times its velocity.</source>
+        <translation>Là où des axes rotatifs tournent, chaque axe de la machine reste en deçà de {} fois sa vitesse maximale.</translation>
+    </message>
+    <message>
+        <source>Full stops {}.</source>
+        <translation>Arrêts complets {}.</translation>
+    </message>
+    <message>
+        <source>On lines: {}.</source>
+        <translation>Sur les droites&#xa0;: {}.</translation>
+    </message>
+    <message>
+        <source>On arcs: {}.</source>
+        <translation>Sur les arcs&#xa0;: {}.</translation>
+    </message>
+    <message>
+        <source>On corner blends: {}.</source>
+        <translation>Sur les raccords d’angle&#xa0;: {}.</translation>
+    </message>
+    <message>
+        <source>On smooth curves: {}.</source>
+        <translation>Sur les courbes lissées&#xa0;: {}.</translation>
+    </message>
+    <message>
+        <source>invalid value of {}</source>
+        <translation>valeur de {} non valide</translation>
+    </message>
+    <message>
+        <source>Klipper rejects the line ({}); it is not run</source>
+        <translation>Klipper rejette la ligne ({})&#xa0;; elle n’est pas exécutée</translation>
+    </message>
+    <message>
+        <source>unknown command {}</source>
+        <translation>commande {} inconnue</translation>
+    </message>
+    <message>
+        <source>{} has no number</source>
+        <translation>{} est sans nombre</translation>
+    </message>
+    <message>
+        <source>setting path: the path of ward needs more than {} curves to be approximated within {} mm, up to line {}; choose the path of another model</source>
+        <translation>réglage path&#xa0;: la trajectoire de ward demande plus de {} courbes pour être approchée à {} mm près, jusqu’à la ligne {}&#xa0;; choisissez la trajectoire d’un autre modèle</translation>
+    </message>
+    <message>
+        <source>{} is missing or zero</source>
+        <translation>{} manque ou est nul</translation>
+    </message>
+    <message>
+        <source>its radius R of {:.3f} mm on the other side is not larger than the tool radius, {:.3f} mm</source>
+        <translation>son rayon R de {} mm de l’autre côté n’est pas plus grand que le rayon de l’outil, {} mm</translation>
+    </message>
+    <message>
+        <source>program {} was not found in the same folder</source>
+        <translation>le programme {} n’a pas été trouvé dans le même dossier</translation>
+    </message>
+    <message>
+        <source>program {} is in another dialect, {}</source>
+        <translation>le programme {} est d’un autre dialecte, {}</translation>
+    </message>
+    <message>
+        <source>{} is the angle of a rotary axis that the control calculates for a tilted plane</source>
+        <translation>{} est l’angle d’un axe rotatif que la commande calcule pour un plan incliné</translation>
+    </message>
+    <message>
+        <source>0 is used; give it as an import option (--tool {}=RADIUS) or in a tool table, or write a TOOL DEF with R before the tool call</source>
+        <translation>0 est utilisé&#xa0;; donnez-le comme option de lecture (--tool {}=RADIUS) ou dans une table d’outils, ou programmez un TOOL DEF avec R avant l’appel d’outil</translation>
+    </message>
+    <message>
+        <source>{} has no value</source>
+        <translation>{} n’a pas de valeur</translation>
+    </message>
+    <message>
+        <source>{} is not valid in {}</source>
+        <translation>{} n’est pas valable dans {}</translation>
+    </message>
+    <message>
+        <source>the {} of {:.3f} mm: {}</source>
+        <translation>{} de {} mm&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>the tool starts inside the approach arc of radius {:.3f} mm</source>
+        <translation>l’outil part de l’intérieur de l’arc d’approche de rayon {} mm</translation>
+    </message>
+    <message>
+        <source>the departure ends inside its arc of radius {:.3f} mm</source>
+        <translation>la sortie finit à l’intérieur de son arc de rayon {} mm</translation>
+    </message>
+    <message>
+        <source>scaling factor {} is not from 0.000001 to 99.999999</source>
+        <translation>le facteur d’échelle {} n’est pas compris entre 0,000001 et 99,999999</translation>
+    </message>
+    <message>
+        <source>{} changes the datum after a motion</source>
+        <translation>{} change le point d’origine après un déplacement</translation>
+    </message>
+    <message>
+        <source>cycle {} is not executed: {}</source>
+        <translation>le cycle {} n’est pas exécuté&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>{} is not a parameter</source>
+        <translation>{} n’est pas un paramètre</translation>
+    </message>
+    <message>
+        <source>PREDEF for {} without a GLOBAL DEF</source>
+        <translation>PREDEF pour {} sans GLOBAL DEF</translation>
+    </message>
+    <message>
+        <source>this value of {} is not supported</source>
+        <translation>cette valeur de {} n’est pas prise en charge</translation>
+    </message>
+    <message>
+        <source>cycle {} has no value for Q{}</source>
+        <translation>le cycle {} n’a pas de valeur pour Q{}</translation>
+    </message>
+    <message>
+        <source>cycle {}: Q{} is {}, beyond the largest number, 1000000000</source>
+        <translation>cycle {}&#xa0;: Q{} vaut {}, au-delà du plus grand nombre admis, 1000000000</translation>
+    </message>
+    <message>
+        <source>cycle {}: Q395=1 measures the depth to the cylinder of the drill</source>
+        <translation>cycle {}&#xa0;: Q395=1 mesure la profondeur jusqu’au cylindre du foret</translation>
+    </message>
+    <message>
+        <source>HSC-MODE {} changes nothing in the simulation</source>
+        <translation>HSC-MODE {} ne change rien dans la simulation</translation>
+    </message>
+    <message>
+        <source>cycle {} is not supported</source>
+        <translation>le cycle {} n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>cycle {} ({}) is not supported</source>
+        <translation>le cycle {} ({}) n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>dwell time {} is negative</source>
+        <translation>la temporisation {} est négative</translation>
+    </message>
+    <message>
+        <source>dwell time {} is beyond 1000000000 s</source>
+        <translation>la temporisation {} dépasse 1000000000 s</translation>
+    </message>
+    <message>
+        <source>feed F{} is zero or negative</source>
+        <translation>l’avance F{} est nulle ou négative</translation>
+    </message>
+    <message>
+        <source>G{} without R</source>
+        <translation>G{} sans R</translation>
+    </message>
+    <message>
+        <source>G{} is not supported in this dialect</source>
+        <translation>G{} n’est pas pris en charge dans ce dialecte</translation>
+    </message>
+    <message>
+        <source>{} is not a label</source>
+        <translation>{} n’est pas une étiquette</translation>
+    </message>
+    <message>
+        <source>label {} is defined twice</source>
+        <translation>l’étiquette {} est définie deux fois</translation>
+    </message>
+    <message>
+        <source>label {} does not exist</source>
+        <translation>l’étiquette {} n’existe pas</translation>
+    </message>
+    <message>
+        <source>M{} ({}) is not supported</source>
+        <translation>M{} ({}) n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>{} belongs to another kind of motion than this block</source>
+        <translation>{} appartient à un autre type de déplacement que ce bloc</translation>
+    </message>
+    <message>
+        <source>an angle of {:.3f} degrees is opposite to the direction of the arc</source>
+        <translation>un angle de {} degrés est opposé au sens de l’arc</translation>
+    </message>
+    <message>
+        <source>rounding {} mm is zero or negative</source>
+        <translation>l’arrondi de {} mm est nul ou négatif</translation>
+    </message>
+    <message>
+        <source>chamfer {} mm is zero or negative</source>
+        <translation>le chanfrein de {} mm est nul ou négatif</translation>
+    </message>
+    <message>
+        <source>the tolerance T{} is below zero</source>
+        <translation>la tolérance T{} est négative</translation>
+    </message>
+    <message>
+        <source>the tolerance T{}</source>
+        <translation>la tolérance T{}</translation>
+    </message>
+    <message>
+        <source>{} is not an approach or departure</source>
+        <translation>{} n’est ni une approche ni une sortie</translation>
+    </message>
+    <message>
+        <source>cycle {}: Q{} is {}, not a number of places from 1 to {}</source>
+        <translation>cycle {}&#xa0;: Q{} vaut {}, ce n’est pas un nombre d’emplacements de 1 à {}</translation>
+    </message>
+    <message>
+        <source>cycle {} repeats a cycle, but none is defined</source>
+        <translation>le cycle {} répète un cycle, mais aucun n’est défini</translation>
+    </message>
+    <message>
+        <source>{} is not a number of places from 1 to {}</source>
+        <translation>{} n’est pas un nombre d’emplacements de 1 à {}</translation>
+    </message>
+    <message>
+        <source>{} is not a pattern</source>
+        <translation>{} n’est pas un motif</translation>
+    </message>
+    <message>
+        <source>{} is not a text</source>
+        <translation>{} n’est pas un texte</translation>
+    </message>
+    <message>
+        <source>{} is not an assignment</source>
+        <translation>{} n’est pas une affectation</translation>
+    </message>
+    <message>
+        <source>{} does not belong to the formula</source>
+        <translation>{} ne fait pas partie de la formule</translation>
+    </message>
+    <message>
+        <source>function {} has no finite value for {} and {}</source>
+        <translation>la fonction {} n’a pas de valeur finie pour {} et {}</translation>
+    </message>
+    <message>
+        <source>FN {} is not supported</source>
+        <translation>FN {} n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>parameter {} does not exist</source>
+        <translation>le paramètre {} n’existe pas</translation>
+    </message>
+    <message>
+        <source>the last one is {}{}</source>
+        <translation>le dernier est {}{}</translation>
+    </message>
+    <message>
+        <source>the parameter&apos;s value {} is beyond the largest number, 1000000000</source>
+        <translation>la valeur du paramètre, {}, dépasse le plus grand nombre admis, 1000000000</translation>
+    </message>
+    <message>
+        <source>{} is not a number or parameter</source>
+        <translation>{} n’est ni un nombre ni un paramètre</translation>
+    </message>
+    <message>
+        <source>{} holds a text, not a number</source>
+        <translation>{} contient un texte, non un nombre</translation>
+    </message>
+    <message>
+        <source>FN 18 reads ID{} NR{} IDX{}, which depends on the machine</source>
+        <translation>FN 18 lit ID{} NR{} IDX{}, ce qui dépend de la machine</translation>
+    </message>
+    <message>
+        <source>{} is set to 0; assign the value of your machine instead</source>
+        <translation>{} est mis à 0&#xa0;; affectez plutôt la valeur de votre machine</translation>
+    </message>
+    <message>
+        <source>FN 18 reads the position of {} before the program has moved it</source>
+        <translation>FN 18 lit la position de {} avant que le programme ne l’ait déplacé</translation>
+    </message>
+    <message>
+        <source>{} is set to the start position, which is assumed as zero; assign the value of your machine instead</source>
+        <translation>{} est mis à la position de départ, supposée nulle&#xa0;; affectez plutôt la valeur de votre machine</translation>
+    </message>
+    <message>
+        <source>{}: the radius of the tool is not known</source>
+        <translation>{}&#xa0;: le rayon de l’outil n’est pas connu</translation>
+    </message>
+    <message>
+        <source>the path shown is the programmed contour; {}, or write a TOOL DEF with R before the tool call</source>
+        <translation>la trajectoire affichée est le contour programmé&#xa0;; {}, ou programmez un TOOL DEF avec R avant l’appel de l’outil</translation>
+    </message>
+    <message>
+        <source>{} is not X, Y or Z</source>
+        <translation>{} n’est ni X, ni Y, ni Z</translation>
+    </message>
+    <message>
+        <source>{} ({}) is not supported</source>
+        <translation>{} ({}) n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>{}; reported once</source>
+        <translation>{}&#xa0;; signalé une seule fois</translation>
+    </message>
+    <message>
+        <source>{} is not a statement of this dialect</source>
+        <translation>{} n’est pas une instruction de ce dialecte</translation>
+    </message>
+    <message>
+        <source>{} is not a word of this block</source>
+        <translation>{} n’est pas un mot de ce bloc</translation>
+    </message>
+    <message>
+        <source>FT{} (time of the block) is not supported</source>
+        <translation>FT{} (durée du bloc) n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>R{} (extension by the tool radius) is not supported</source>
+        <translation>R{} (prolongement du rayon d’outil) n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>M{} calls program {:.0f}, which is neither in the program nor in a file in its folder</source>
+        <translation>M{} appelle le programme {}, qui n’est ni dans le programme ni dans un fichier de son dossier</translation>
+    </message>
+    <message>
+        <source>M{} without P</source>
+        <translation>M{} sans P</translation>
+    </message>
+    <message>
+        <source>M{} calls file {}, which is neither in the program nor in a file in its folder</source>
+        <translation>M{} appelle le fichier {}, qui n’est ni dans le programme ni dans un fichier de son dossier</translation>
+    </message>
+    <message>
+        <source>jump target N{} does not exist</source>
+        <translation>la cible de saut N{} n’existe pas</translation>
+    </message>
+    <message>
+        <source>the program repeats from N{} without end</source>
+        <translation>le programme se répète sans fin depuis N{}</translation>
+    </message>
+    <message>
+        <source>L{} is not a number of times from 0 to {}</source>
+        <translation>L{} n’est pas un nombre de fois de 0 à {}</translation>
+    </message>
+    <message>
+        <source>its motion is missing; add the file &quot;{}&quot; to the program&apos;s folder</source>
+        <translation>son déplacement manque&#xa0;; ajoutez le fichier &quot;{}&quot; au dossier du programme</translation>
+    </message>
+    <message>
+        <source>G{} without P</source>
+        <translation>G{} sans P</translation>
+    </message>
+    <message>
+        <source>macro program {:.0f} is called, which is neither in the program nor in a file in its folder</source>
+        <translation>le macroprogramme {} est appelé, mais n’est ni dans le programme ni dans un fichier de son dossier</translation>
+    </message>
+    <message>
+        <source>o{} is called, which is neither in the program nor in a file in its folder</source>
+        <translation>o{} est appelé, mais n’est ni dans le programme ni dans un fichier de son dossier</translation>
+    </message>
+    <message>
+        <source>{} without D</source>
+        <translation>{} sans D</translation>
+    </message>
+    <message>
+        <source>{} without D: the radius of the tool is not known</source>
+        <translation>{} sans D&#xa0;: le rayon de l’outil n’est pas connu</translation>
+    </message>
+    <message>
+        <source>the radius of offset D{} is not known</source>
+        <translation>le rayon du correcteur D{} n’est pas connu</translation>
+    </message>
+    <message>
+        <source>the path shown is the programmed contour; {}, or set it with G10 L12 P{} R</source>
+        <translation>la trajectoire affichée est le contour programmé&#xa0;; {}, ou définissez-le par G10 L12 P{} R</translation>
+    </message>
+    <message>
+        <source>{} without {}</source>
+        <translation>{} sans {}</translation>
+    </message>
+    <message>
+        <source>{} is selected after motion in {}</source>
+        <translation>{} est choisi après un déplacement dans {}</translation>
+    </message>
+    <message>
+        <source>P{} is not a work offset number from {} to {}</source>
+        <translation>P{} n’est pas un numéro de décalage d’origine de {} à {}</translation>
+    </message>
+    <message>
+        <source>G68.2 P{} (tilted working plane by points, vectors or projection angles) is not supported</source>
+        <translation>G68.2 P{} (plan de travail incliné par points, vecteurs ou angles de projection) n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>scale factor {}{} is zero</source>
+        <translation>le facteur d’échelle {}{} est nul</translation>
+    </message>
+    <message>
+        <source>{} begins while the position of {} is not known</source>
+        <translation>{} commence alors que la position de {} n’est pas connue</translation>
+    </message>
+    <message>
+        <source>{} without {}, the bottom of the hole</source>
+        <translation>{} sans {}, le fond du trou</translation>
+    </message>
+    <message>
+        <source>{} without R, the retract plane</source>
+        <translation>{} sans R, le plan de retrait</translation>
+    </message>
+    <message>
+        <source>the bottom of the hole at {} {:.4f} mm is on the wrong side of R {:.4f} mm</source>
+        <translation>le fond du trou à {} {} mm est du mauvais côté de R {} mm</translation>
+    </message>
+    <message>
+        <source>the direction in which {} retracts from the wall is a control setting</source>
+        <translation>la direction dans laquelle {} s’écarte de la paroi est un réglage de la commande</translation>
+    </message>
+    <message>
+        <source>{}{} is not a number of repeats from 0 to {}</source>
+        <translation>{}{} n’est pas un nombre de répétitions de 0 à {}</translation>
+    </message>
+    <message>
+        <source>{} with pecks of {} mm</source>
+        <translation>{} avec des passes de débourrage de {} mm</translation>
+    </message>
+    <message>
+        <source>{} (hole pattern) needs an active drilling cycle, I and L</source>
+        <translation>{} (motif de trous) demande un cycle de perçage actif, I et L</translation>
+    </message>
+    <message>
+        <source>for a control that takes milliseconds, write P{}</source>
+        <translation>pour une commande qui compte en millisecondes, programmez P{}</translation>
+    </message>
+    <message>
+        <source>dwell time {}{} is negative</source>
+        <translation>la temporisation {}{} est négative</translation>
+    </message>
+    <message>
+        <source>write P{}.0 for seconds</source>
+        <translation>programmez P{}.0 pour des secondes</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is not a variable number</source>
+        <translation>&quot;{}&quot; n’est pas un numéro de variable</translation>
+    </message>
+    <message>
+        <source>{} has no valid number</source>
+        <translation>{} n’a pas de nombre valable</translation>
+    </message>
+    <message>
+        <source>{} is above the largest number, 1000000000</source>
+        <translation>{} dépasse le plus grand nombre admis, 1000000000</translation>
+    </message>
+    <message>
+        <source>the comment {} is not closed</source>
+        <translation>le commentaire {} n’est pas fermé</translation>
+    </message>
+    <message>
+        <source>{} does not start a word</source>
+        <translation>{} ne commence pas un mot</translation>
+    </message>
+    <message>
+        <source>byte 0x{:02X}</source>
+        <translation>l’octet 0x{}</translation>
+    </message>
+    <message>
+        <source>{} follows a statement</source>
+        <translation>{} suit une instruction</translation>
+    </message>
+    <message>
+        <source>{} is not an O word</source>
+        <translation>{} n’est pas un mot O</translation>
+    </message>
+    <message>
+        <source>a sub inside the sub of line {}</source>
+        <translation>un sub à l’intérieur du sub de la ligne {}</translation>
+    </message>
+    <message>
+        <source>{} has no {}</source>
+        <translation>{} n’a pas de {}</translation>
+    </message>
+    <message>
+        <source>{} writes to a device</source>
+        <translation>{} écrit vers un périphérique</translation>
+    </message>
+    <message>
+        <source>{} is not a known G word</source>
+        <translation>{} n’est pas un mot G connu</translation>
+    </message>
+    <message>
+        <source>{} and {} exclude each other in one block</source>
+        <translation>{} et {} s’excluent dans un même bloc</translation>
+    </message>
+    <message>
+        <source>{} is used; remove the other</source>
+        <translation>{} est utilisé&#xa0;; supprimez l’autre</translation>
+    </message>
+    <message>
+        <source>{} exceeds the 8 G words of coordinates that a block can have</source>
+        <translation>{} dépasse les 8 mots G de coordonnées qu’un bloc peut avoir</translation>
+    </message>
+    <message>
+        <source>M{} is read as in LinuxCNC&apos;s own five-axis configurations: X, Y and Z are those of the machine</source>
+        <translation>M{} est lu comme dans les configurations à cinq axes de LinuxCNC&#xa0;: X, Y et Z sont ceux de la machine</translation>
+    </message>
+    <message>
+        <source>F{} is in {}/min: LinuxCNC sets the feed before {} of the same block changes the unit</source>
+        <translation>F{} est en {}/min&#xa0;: LinuxCNC règle l’avance avant que {} du même bloc ne change l’unité</translation>
+    </message>
+    <message>
+        <source>write {} in a block before it, or give --unit {} if the control starts so</source>
+        <translation>programmez {} dans un bloc précédent, ou donnez --unit {} si la commande démarre ainsi</translation>
+    </message>
+    <message>
+        <source>feed F{} is not above zero</source>
+        <translation>l’avance F{} n’est pas supérieure à zéro</translation>
+    </message>
+    <message>
+        <source>position words after G80 without a new G0, G1, G2 or G3: {} stops here with an error</source>
+        <translation>des mots de position après G80 sans nouveau G0, G1, G2 ou G3&#xa0;: {} s’arrête ici avec une erreur</translation>
+    </message>
+    <message>
+        <source>position words before the first G0, G1, G2 or G3: {} stops here with an error</source>
+        <translation>des mots de position avant le premier G0, G1, G2 ou G3&#xa0;: {} s’arrête ici avec une erreur</translation>
+    </message>
+    <message>
+        <source>a rounding or chamfer of {} is not above zero</source>
+        <translation>un arrondi ou chanfrein de {} n’est pas supérieur à zéro</translation>
+    </message>
+    <message>
+        <source>,{} in a block that is not a line or an arc</source>
+        <translation>,{} dans un bloc qui n’est ni une droite ni un arc</translation>
+    </message>
+    <message>
+        <source>P{} is not a number of turns from 1 to {}</source>
+        <translation>P{} n’est pas un nombre de tours de 1 à {}</translation>
+    </message>
+    <message>
+        <source>{}{} is perpendicular to the plane of the arc</source>
+        <translation>{}{} est perpendiculaire au plan de l’arc</translation>
+    </message>
+    <message>
+        <source>G187 (smoothness)</source>
+        <translation>G187 (douceur)</translation>
+    </message>
+    <message>
+        <source>G5.1 (machining condition from speed to accuracy)</source>
+        <translation>G5.1 (condition d’usinage, de la vitesse à la précision)</translation>
+    </message>
+    <message>
+        <source>{}{} of {} changes nothing in the simulation</source>
+        <translation>{}{} de {} ne change rien dans la simulation</translation>
+    </message>
+    <message>
+        <source>tolerance {}{} of {} is negative</source>
+        <translation>la tolérance {}{} de {} est négative</translation>
+    </message>
+    <message>
+        <source>tolerance {}{} of {}</source>
+        <translation>la tolérance {}{} de {}</translation>
+    </message>
+    <message>
+        <source>{} is a command or macro of Klipper</source>
+        <translation>{} est une commande ou une macro de Klipper</translation>
+    </message>
+    <message>
+        <source>{} is programmed twice in this block</source>
+        <translation>{} est programmé deux fois dans ce bloc</translation>
+    </message>
+    <message>
+        <source>G10 L{} (data setting) is not supported</source>
+        <translation>G10 L{} (écriture de données) n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>{} is a control command</source>
+        <translation>{} est une commande du pupitre</translation>
+    </message>
+    <message>
+        <source>{} without {} and {}</source>
+        <translation>{} sans {} ni {}</translation>
+    </message>
+    <message>
+        <source>order L{} of G5.2 is above {}</source>
+        <translation>l’ordre L{} de G5.2 dépasse {}</translation>
+    </message>
+    <message>
+        <source>{} is taken</source>
+        <translation>{} est utilisé</translation>
+    </message>
+    <message>
+        <source>order P{} of G6.2 is not from {} to {}</source>
+        <translation>l’ordre P{} de G6.2 n’est pas compris entre {} et {}</translation>
+    </message>
+    <message>
+        <source>G6.2 of order {} with {} control points and {} knots K</source>
+        <translation>G6.2 d’ordre {} avec {} points de contrôle et {} nœuds K</translation>
+    </message>
+    <message>
+        <source>G5.2 with {} control points is too short for order {}</source>
+        <translation>G5.2 avec {} points de contrôle est trop court pour l’ordre {}</translation>
+    </message>
+    <message>
+        <source>G5.2 in line {} is not closed by G5.3</source>
+        <translation>G5.2 de la ligne {} n’est pas fermé par G5.3</translation>
+    </message>
+    <message>
+        <source>{} is not a word of ISO programs</source>
+        <translation>{} n’est pas un mot des programmes ISO</translation>
+    </message>
+    <message>
+        <source>{}{} is above the largest number, 1000000000</source>
+        <translation>{}{} dépasse le plus grand nombre admis, 1000000000</translation>
+    </message>
+    <message>
+        <source>#{} is read-only</source>
+        <translation>#{} est en lecture seule</translation>
+    </message>
+    <message>
+        <source>#{} is a control-internal value</source>
+        <translation>#{} est une valeur interne de la commande</translation>
+    </message>
+    <message>
+        <source>#{} has not been set by the program</source>
+        <translation>#{} n’a pas été défini par le programme</translation>
+    </message>
+    <message>
+        <source>#&lt;{}&gt; has not been set</source>
+        <translation>#&lt;{}&gt; n’a pas été défini</translation>
+    </message>
+    <message>
+        <source>the program raises alarm {}</source>
+        <translation>le programme déclenche l’alarme {}</translation>
+    </message>
+    <message>
+        <source>{}{:.0f} without a decimal point is used as {:.0f} inch</source>
+        <translation>{}{} sans point décimal est lu comme {} pouce(s)</translation>
+    </message>
+    <message>
+        <source>{}{:.0f} without a decimal point is used as {:.0f} mm</source>
+        <translation>{}{} sans point décimal est lu comme {} mm</translation>
+    </message>
+    <message>
+        <source>{} in a block with X or Y</source>
+        <translation>{} dans un bloc avec X ou Y</translation>
+    </message>
+    <message>
+        <source>{}{} has no meaning in this block</source>
+        <translation>{}{} n’a pas de sens dans ce bloc</translation>
+    </message>
+    <message>
+        <source>{} has no finite value</source>
+        <translation>{} n’a pas de valeur finie</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is missing here</source>
+        <translation>il manque ici &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>the expression is nested more than {} deep</source>
+        <translation>l’expression est imbriquée sur plus de {} niveaux</translation>
+    </message>
+    <message>
+        <source>{} is not a value, variable or function</source>
+        <translation>{} n’est ni une valeur, ni une variable, ni une fonction</translation>
+    </message>
+    <message>
+        <source>calls are nested more than {} deep</source>
+        <translation>les appels sont imbriqués sur plus de {} niveaux</translation>
+    </message>
+    <message>
+        <source>{:.4g} x {:.4g} x {:.4g} mm cut at {:.4g} mm/min at most look like inches; give --unit inch, or --unit mm if that is right</source>
+        <translation>{} x {} x {} mm usinés à {} mm/min au plus ressemblent à des pouces&#xa0;; donnez --unit inch, ou --unit mm si c’est exact</translation>
+    </message>
+    <message>
+        <source>{} moves to a machine position, which the program does not contain</source>
+        <translation>{} va à une position machine, que le programme ne contient pas</translation>
+    </message>
+    <message>
+        <source>{} are all zero: the tool has no direction</source>
+        <translation>{} sont nuls&#xa0;: l’outil n’a aucune direction</translation>
+    </message>
+    <message>
+        <source>the rotary axes stay; write the vector from the tip to the spindle, such as {}</source>
+        <translation>les axes rotatifs ne bougent pas&#xa0;; programmez le vecteur de la pointe vers la broche, comme {}</translation>
+    </message>
+    <message>
+        <source>it does not fit between the adjacent elements; {:.3f} mm are used</source>
+        <translation>il ne tient pas entre les éléments voisins&#xa0;; {} mm sont utilisés</translation>
+    </message>
+    <message>
+        <source>at this block a tool of radius {:.4f} mm cuts {:.4f} mm into the contour of line {}</source>
+        <translation>à ce bloc, un outil de rayon {} mm entame de {} mm le contour de la ligne {}</translation>
+    </message>
+    <message>
+        <source>the arc&apos;s radius, {:.4f} mm, is smaller than the tool&apos;s, {:.4f} mm</source>
+        <translation>le rayon de l’arc, {} mm, est plus petit que celui de l’outil, {} mm</translation>
+    </message>
+    <message>
+        <source>a tool of radius {:.4f} mm does not fit between this block and its neighbours</source>
+        <translation>un outil de rayon {} mm ne tient pas entre ce bloc et ses voisins</translation>
+    </message>
+    <message>
+        <source>axis {} turns in feed motions of the tool&apos;s tip</source>
+        <translation>l’axe {} tourne pendant des déplacements en avance de la pointe de l’outil</translation>
+    </message>
+    <message>
+        <source>axis {} turns in a feed motion of X, Y and Z without tool centre point control</source>
+        <translation>l’axe {} tourne pendant un déplacement en avance de X, Y et Z sans suivi de la pointe de l’outil (RTCP)</translation>
+    </message>
+    <message>
+        <source>axis {} turns by {:g} degrees, from {:g} to {:g}</source>
+        <translation>l’axe {} tourne de {} degrés, de {} à {}</translation>
+    </message>
+    <message>
+        <source>the tool&apos;s direction and axis {} are given in one block</source>
+        <translation>la direction de l’outil et l’axe {} sont donnés dans un même bloc</translation>
+    </message>
+    <message>
+        <source>tool orientation moves to {} in a feed move, which is not simulated</source>
+        <translation>l’orientation de l’outil va à {} dans un déplacement en avance, ce qui n’est pas simulé</translation>
+    </message>
+    <message>
+        <source>tool orientation moves to {}, which is not simulated</source>
+        <translation>l’orientation de l’outil va à {}, ce qui n’est pas simulé</translation>
+    </message>
+    <message>
+        <source>axis {} moves to {} in a feed move, which is not simulated</source>
+        <translation>l’axe {} va à {} dans un déplacement en avance, ce qui n’est pas simulé</translation>
+    </message>
+    <message>
+        <source>axis {} moves to {}, which is not simulated</source>
+        <translation>l’axe {} va à {}, ce qui n’est pas simulé</translation>
+    </message>
+    <message>
+        <source>{}; the time of this axis is not included, so the cycle time is too short; reported once</source>
+        <translation>{}&#xa0;; le temps de cet axe n’est pas compté, le temps de cycle est donc trop court&#xa0;; signalé une seule fois</translation>
+    </message>
+    <message>
+        <source>a feed move while the position of {} is not known</source>
+        <translation>un déplacement en avance alors que la position de {} n’est pas connue</translation>
+    </message>
+    <message>
+        <source>the centre would fit as {}</source>
+        <translation>le centre conviendrait comme {}</translation>
+    </message>
+    <message>
+        <source>the arc&apos;s radius is {:.4f} mm at its start but {:.4f} mm at its end</source>
+        <translation>le rayon de l’arc est de {} mm au départ mais de {} mm à la fin</translation>
+    </message>
+    <message>
+        <source>radius {:.4f} mm is too small for ends {:.4f} mm apart</source>
+        <translation>le rayon de {} mm est trop petit pour des extrémités distantes de {} mm</translation>
+    </message>
+    <message>
+        <source>the radius must be at least half the distance; {}</source>
+        <translation>le rayon doit faire au moins la moitié de la distance&#xa0;; {}</translation>
+    </message>
+    <message>
+        <source>{} is below {} mm</source>
+        <translation>{} est inférieure à {} mm</translation>
+    </message>
+    <message>
+        <source>{} mm is used, the smallest that is simulated</source>
+        <translation>{} mm est utilisé, la plus petite valeur simulée</translation>
+    </message>
+    <message>
+        <source>exact stops ({})</source>
+        <translation>arrêts précis ({})</translation>
+    </message>
+    <message>
+        <source>contour tolerance {} mm</source>
+        <translation>tolérance de contour {} mm</translation>
+    </message>
+    <message>
+        <source>blends from {} mm before the corner</source>
+        <translation>raccords dès {} mm avant l’angle</translation>
+    </message>
+    <message>
+        <source>orientation tolerance {:.6g} deg</source>
+        <translation>tolérance d’orientation {}°</translation>
+    </message>
+    <message>
+        <source>compaction tolerance {} mm</source>
+        <translation>tolérance de compactage {} mm</translation>
+    </message>
+    <message>
+        <source>{}, by the program</source>
+        <translation>{}, d’après le programme</translation>
+    </message>
+    <message>
+        <source>{}, by --unit</source>
+        <translation>{}, d’après --unit</translation>
+    </message>
+    <message>
+        <source>{}, assumed: the program does not define its unit</source>
+        <translation>{}, par hypothèse&#xa0;: le programme ne définit pas son unité</translation>
+    </message>
+    <message>
+        <source>this is a program for {}, which is not supported</source>
+        <translation>ce programme est écrit pour {}, qui n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>it is interpreted as ISO and the path shown may be wrong: {}; give --dialect to interpret it as that dialect</source>
+        <translation>il est interprété comme de l’ISO et la trajectoire affichée peut être fausse&#xa0;: {}&#xa0;; donnez --dialect pour l’interpréter dans ce dialecte</translation>
+    </message>
+    <message>
+        <source>cycles and curves have made more than {} motions</source>
+        <translation>les cycles et les courbes ont produit plus de {} déplacements</translation>
+    </message>
+    <message>
+        <source>loops and calls have run {} lines without coming to an end</source>
+        <translation>les boucles et les appels ont parcouru {} lignes sans se terminer</translation>
+    </message>
+    <message>
+        <source>the program ends in line {}; the text after it is not executed</source>
+        <translation>le programme se termine à la ligne {}&#xa0;; le texte qui suit n’est pas exécuté</translation>
+    </message>
+    <message>
+        <source>{} does not name a subprogram</source>
+        <translation>{} ne désigne pas un sous-programme</translation>
+    </message>
+    <message>
+        <source>TURN={} is not a number of turns from 0 to {}</source>
+        <translation>TURN={} n’est pas un nombre de tours de 0 à {}</translation>
+    </message>
+    <message>
+        <source>opening angle AR={} is not between 0 and 360 degrees</source>
+        <translation>l’angle d’ouverture AR={} n’est pas entre 0 et 360 degrés</translation>
+    </message>
+    <message>
+        <source>&quot;the array&quot;</source>
+        <translation>le tableau</translation>
+    </message>
+    <message>
+        <source>FOR cannot count with {}</source>
+        <translation>FOR ne peut pas compter avec {}</translation>
+    </message>
+    <message>
+        <source>{} is not a subprogram</source>
+        <translation>{} n’est pas un sous-programme</translation>
+    </message>
+    <message>
+        <source>subprogram {} is neither in the program nor a file in its folder</source>
+        <translation>le sous-programme {} n’est ni dans le programme ni un fichier de son dossier</translation>
+    </message>
+    <message>
+        <source>tool radius {} is negative</source>
+        <translation>le rayon d’outil {} est négatif</translation>
+    </message>
+    <message>
+        <source>{} without a tool: its radius is not known</source>
+        <translation>{} sans outil&#xa0;: son rayon n’est pas connu</translation>
+    </message>
+    <message>
+        <source>{}: the radius of T{} D{} is not known</source>
+        <translation>{}&#xa0;: le rayon de T{} D{} n’est pas connu</translation>
+    </message>
+    <message>
+        <source>the path shown is the programmed contour; {}, or set it with $TC_DP6[T,D]=</source>
+        <translation>la trajectoire affichée est le contour programmé&#xa0;; {}, ou définissez-le par $TC_DP6[T,D]=</translation>
+    </message>
+    <message>
+        <source>G{} is selected after motion in G{}</source>
+        <translation>G{} est choisi après un déplacement dans G{}</translation>
+    </message>
+    <message>
+        <source>RNDM={} is negative</source>
+        <translation>RNDM={} est négatif</translation>
+    </message>
+    <message>
+        <source>a rounding or chamfer of {} is negative</source>
+        <translation>un arrondi ou chanfrein de {} est négatif</translation>
+    </message>
+    <message>
+        <source>the depth of CYCLE{} at the tool&apos;s diameter or shank is not supported</source>
+        <translation>la profondeur de CYCLE{} au diamètre ou à la queue de l’outil n’est pas prise en charge</translation>
+    </message>
+    <message>
+        <source>{} is not a number of holes from 1 to {}</source>
+        <translation>{} n’est pas un nombre de trous de 1 à {}</translation>
+    </message>
+    <message>
+        <source>subprogram {} at a pattern of holes is not supported</source>
+        <translation>le sous-programme {} sur un motif de trous n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>CYCLE832 with tolerance {} and code {} is out of range</source>
+        <translation>CYCLE832 avec la tolérance {} et le code {} dépasse les bornes</translation>
+    </message>
+    <message>
+        <source>CYCLE832 with tolerance {} and machining type 0 switches its settings off</source>
+        <translation>CYCLE832 avec la tolérance {} et le type d’usinage 0 désactive ses réglages</translation>
+    </message>
+    <message>
+        <source>machining type {} of CYCLE832 changes nothing in the simulation</source>
+        <translation>le type d’usinage {} de CYCLE832 ne change rien dans la simulation</translation>
+    </message>
+    <message>
+        <source>CYCLE800 with mode {} is not supported</source>
+        <translation>CYCLE800 avec le mode {} n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>the tool retracts before the axes turn (_FR {} of CYCLE800)</source>
+        <translation>l’outil se dégage avant que les axes tournent (_FR {} de CYCLE800)</translation>
+    </message>
+    <message>
+        <source>{} is not a supported type</source>
+        <translation>{} n’est pas un type pris en charge</translation>
+    </message>
+    <message>
+        <source>{} after PROC is not an attribute</source>
+        <translation>{} après PROC n’est pas un attribut</translation>
+    </message>
+    <message>
+        <source>parameter {} has no value</source>
+        <translation>le paramètre {} n’a pas de valeur</translation>
+    </message>
+    <message>
+        <source>array parameter {} has {} elements, the argument has {}</source>
+        <translation>le paramètre tableau {} a {} éléments, l’argument en a {}</translation>
+    </message>
+    <message>
+        <source>a dwell of {} revolutions without a spindle speed</source>
+        <translation>une temporisation de {} tours sans vitesse de broche</translation>
+    </message>
+    <message>
+        <source>{} has no matching start or end</source>
+        <translation>{} n’a pas de début ou de fin correspondants</translation>
+    </message>
+    <message>
+        <source>{} after a condition is not a jump</source>
+        <translation>{} après une condition n’est pas un saut</translation>
+    </message>
+    <message>
+        <source>{} is not a settable frame from 0 to {}</source>
+        <translation>{} n’est pas un frame réglable de 0 à {}</translation>
+    </message>
+    <message>
+        <source>{} is not a part of a frame (TR, FI, RT, SC, MI)</source>
+        <translation>{} n’est pas une partie de frame (TR, FI, RT, SC, MI)</translation>
+    </message>
+    <message>
+        <source>{} is not a supported frame</source>
+        <translation>{} n’est pas un frame pris en charge</translation>
+    </message>
+    <message>
+        <source>{} is a control-internal value</source>
+        <translation>{} est une valeur interne de la commande</translation>
+    </message>
+    <message>
+        <source>label {} does not exist in the program</source>
+        <translation>l’étiquette {} n’existe pas dans le programme</translation>
+    </message>
+    <message>
+        <source>label {} does not exist after this line</source>
+        <translation>l’étiquette {} n’existe pas après cette ligne</translation>
+    </message>
+    <message>
+        <source>label {} does not exist before this line</source>
+        <translation>l’étiquette {} n’existe pas avant cette ligne</translation>
+    </message>
+    <message>
+        <source>{} (thread) is shown as a line</source>
+        <translation>{} (filetage) est affiché comme une droite</translation>
+    </message>
+    <message>
+        <source>{}={} is negative</source>
+        <translation>{}={} est négatif</translation>
+    </message>
+    <message>
+        <source>tolerance {} mm of CYCLE832</source>
+        <translation>la tolérance de {} mm de CYCLE832</translation>
+    </message>
+    <message>
+        <source>a polynomial of axis {} is not supported</source>
+        <translation>un polynôme de l’axe {} n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>the coordinates are used for {} and nothing moves; write a block for each</source>
+        <translation>les coordonnées servent à {} et rien ne se déplace&#xa0;; programmez un bloc pour chacun</translation>
+    </message>
+    <message>
+        <source>weight PW={} is not above zero</source>
+        <translation>le poids PW={} n’est pas supérieur à zéro</translation>
+    </message>
+    <message>
+        <source>{} does not start a word or statement</source>
+        <translation>{} ne commence ni mot ni instruction</translation>
+    </message>
+    <message>
+        <source>assignment to {} is not supported</source>
+        <translation>l’affectation de {} n’est pas prise en charge</translation>
+    </message>
+    <message>
+        <source>{} is not a known variable, address or axis</source>
+        <translation>{} n’est ni une variable, ni une adresse, ni un axe connus</translation>
+    </message>
+    <message>
+        <source>an increment of {} after a change of frame also traverses the change, {:.6g} mm</source>
+        <translation>un incrément de {} après un changement de frame parcourt aussi ce changement, {} mm</translation>
+    </message>
+    <message>
+        <source>ANG={} needs exactly one coordinate of the plane</source>
+        <translation>ANG={} demande exactement une coordonnée du plan</translation>
+    </message>
+    <message>
+        <source>a line at ANG={} does not reach the given coordinate</source>
+        <translation>une droite à ANG={} n’atteint pas la coordonnée donnée</translation>
+    </message>
+    <message>
+        <source>the program does not define {}</source>
+        <translation>le programme ne définit pas {}</translation>
+    </message>
+    <message>
+        <source>the block does not move; define data of the machine (GUD) at the program&apos;s top, &quot;DEF REAL {}=&quot;</source>
+        <translation>le bloc n’a pas de déplacement&#xa0;; définissez les données de la machine (GUD) en tête du programme, &quot;DEF REAL {}=&quot;</translation>
+    </message>
+    <message>
+        <source>R{} is not an R parameter from R0 to R{}</source>
+        <translation>R{} n’est pas un paramètre R de R0 à R{}</translation>
+    </message>
+    <message>
+        <source>R{} is used before the program sets it</source>
+        <translation>R{} est utilisé avant que le programme ne le définisse</translation>
+    </message>
+    <message>
+        <source>text {} is not a number</source>
+        <translation>le texte {} n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>value {} is above the largest number, 1000000000</source>
+        <translation>la valeur {} dépasse le plus grand nombre admis, 1000000000</translation>
+    </message>
+    <message>
+        <source>{} is not a number of array elements from 1 to {}</source>
+        <translation>{} n’est pas un nombre d’éléments de tableau de 1 à {}</translation>
+    </message>
+    <message>
+        <source>{} has no element {}, its largest index is {}</source>
+        <translation>{} n’a pas d’élément {}, son plus grand indice est {}</translation>
+    </message>
+    <message>
+        <source>{} more of this kind up to line {}</source>
+        <translation>{} de plus de ce type jusqu’à la ligne {}</translation>
+    </message>
+    <message>
+        <source>offsets without a value are assumed as zero, so parts of the path overlap; give them as an import option, --offset {}=X,Y,Z</source>
+        <translation>les décalages sans valeur sont supposés nuls, des parties de la trajectoire se recouvrent donc&#xa0;; donnez-les en option de lecture, --offset {}=X,Y,Z</translation>
+    </message>
+    <message>
+        <source>{}: is larger than 4 GiB; split the program</source>
+        <translation>{}&#xa0;: fichier de plus de 4 Gio&#xa0;; divisez le programme</translation>
+    </message>
+    <message>
+        <source>{}: is not a text file ({}); give an NC program as ASCII, UTF-8 or Latin-1 text</source>
+        <translation>{}&#xa0;: n’est pas un fichier texte ({})&#xa0;; donnez un programme CN en texte ASCII, UTF-8 ou Latin-1</translation>
+    </message>
+    <message>
+        <source>it has {} control characters</source>
+        <translation>il contient {} caractères de commande</translation>
+    </message>
+    <message>
+        <source>{}: cannot be read: {}</source>
+        <translation>{}&#xa0;: lecture impossible&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>{}:{}: the line is {} bytes long, more than the {} of any NC program; check the file&apos;s line ends</source>
+        <translation>{}:{}&#xa0;: la ligne fait {} octets, plus que les {} de tout programme CN&#xa0;; vérifiez les fins de ligne du fichier</translation>
+    </message>
+    <message>
+        <source>{}: does not exist; check the path</source>
+        <translation>{}&#xa0;: n’existe pas&#xa0;; vérifiez le chemin</translation>
+    </message>
+    <message>
+        <source>{}: is a directory; give the NC program inside it</source>
+        <translation>{}&#xa0;: est un dossier&#xa0;; donnez le programme CN qu’il contient</translation>
+    </message>
+    <message>
+        <source>{}: cannot be opened: {}</source>
+        <translation>{}&#xa0;: ouverture impossible&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>tool table &apos;{}&apos;, line {}: {} is not a number</source>
+        <translation>table d’outils &apos;{}&apos;, ligne {}&#xa0;: {} n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>cutter radii are those of tool table &apos;{}&apos;</source>
+        <translation>les rayons d’outil sont ceux de la table d’outils &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>give it as an import option (--tool {}=RADIUS) or in a tool table, or say that the path is already compensated (--wear-only)</source>
+        <translation>donnez-le en option de lecture (--tool {}=RADIUS) ou dans une table d’outils, ou indiquez que la trajectoire est déjà corrigée (--wear-only)</translation>
+    </message>
+    <message>
+        <source>{} is not a letter with a number</source>
+        <translation>{} n’est pas une lettre suivie d’un nombre</translation>
+    </message>
+    <message>
+        <source>tool table &apos;{}&apos;, line {}, column {}: {}</source>
+        <translation>table d’outils &apos;{}&apos;, ligne {}, colonne {}&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a supported tool table; give lines such as &quot;T1 D10&quot; or &quot;$TC_DP6[1,1]=5&quot;, &quot;G10 L12 P1 R5&quot;, or columns headed T and R</source>
+        <translation>&apos;{}&apos; n’est pas une table d’outils connue&#xa0;; donnez des lignes comme &quot;T1 D10&quot; ou &quot;$TC_DP6[1,1]=5&quot;, &quot;G10 L12 P1 R5&quot;, ou des colonnes intitulées T et R</translation>
+    </message>
+    <message>
+        <source>axis {} turns by {:.4g} degrees within one block for a tool vector</source>
+        <translation>l’axe {} tourne de {} degrés dans un seul bloc pour un vecteur d’outil</translation>
+    </message>
+    <message>
+        <source>axis {} holds the feed at {:.4g} of {:.4g} mm/min near its singular position: the tool is {:.2g} degrees from its axis</source>
+        <translation>l’axe {} retient l’avance à {} sur {} mm/min près de sa position singulière&#xa0;: l’outil est à {} degrés de son axe</translation>
+    </message>
+    <message>
+        <source>lines {} to {}, one of {} such places; tilting the part by some degrees in the clamping takes the path away from it</source>
+        <translation>lignes {} à {}, l’un de {} endroits de ce type&#xa0;; incliner la pièce de quelques degrés dans le bridage en éloigne la trajectoire</translation>
+    </message>
+    <message>
+        <source>axis {} goes to {:g} degrees, beyond its travel from {:g} to {:g}</source>
+        <translation>l’axe {} va à {} degrés, au-delà de sa course de {} à {}</translation>
+    </message>
+    <message>
+        <source>the tool vector</source>
+        <translation>du vecteur d’outil</translation>
+    </message>
+    <message>
+        <source>the tilted plane</source>
+        <translation>du plan incliné</translation>
+    </message>
+    <message>
+        <source>the tool vector in the part as it is turned</source>
+        <translation>du vecteur d’outil dans la pièce telle qu’elle est tournée</translation>
+    </message>
+    <message>
+        <source>the tilted plane in the part as it is turned</source>
+        <translation>du plan incliné dans la pièce telle qu’elle est tournée</translation>
+    </message>
+    <message>
+        <source>no position of the rotary axes of machine &apos;{}&apos; gives the tool the direction {:.4g}, {:.4g}, {:.4g} of {}</source>
+        <translation>aucune position des axes rotatifs de la machine &apos;{}&apos; ne donne à l’outil la direction {}, {}, {} {}</translation>
+    </message>
+    <message>
+        <source>no position of the rotary axes with {} of axis {} gives the tool the direction of the tilted plane within its travel</source>
+        <translation>aucune position des axes rotatifs avec {} de l’axe {} ne donne à l’outil la direction du plan incliné dans sa course</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has no signal that is known as the position of X, Y or Z; it has {}; say which, as --columns x=1:mm,y=2:mm</source>
+        <translation>&apos;{}&apos; n’a aucun signal reconnu comme position de X, Y ou Z&#xa0;; signaux&#xa0;: {}&#xa0;; indiquez lesquels, comme --columns x=1:mm,y=2:mm</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has no record of a SINUMERIK trace</source>
+        <translation>&apos;{}&apos; ne contient aucune donnée d’une trace SINUMERIK</translation>
+    </message>
+    <message>
+        <source>the XML ends early: {}</source>
+        <translation>le XML se termine trop tôt&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>{}:{}: {}; this is no whole XML file</source>
+        <translation>{}:{}&#xa0;: {}&#xa0;; ce n’est pas un fichier XML complet</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has no column &apos;{}&apos; for {}; {}</source>
+        <translation>&apos;{}&apos; n’a pas de colonne &apos;{}&apos; pour {}&#xa0;; {}</translation>
+    </message>
+    <message>
+        <source>it has {} columns without names</source>
+        <translation>il a {} colonnes sans nom</translation>
+    </message>
+    <message>
+        <source>it has {}</source>
+        <translation>il contient {}</translation>
+    </message>
+    <message>
+        <source>the trace has no set positions of {}: the actual ones are used instead</source>
+        <translation>la trace n’a pas de positions de consigne de {}&#xa0;: les positions réelles sont utilisées à leur place</translation>
+    </message>
+    <message>
+        <source>the time has no unit and rises by {:.6g} a sample: milliseconds are assumed</source>
+        <translation>le temps n’a pas d’unité et croît de {} par échantillon&#xa0;: des millisecondes sont supposées</translation>
+    </message>
+    <message>
+        <source>say it: --columns time={}:ms</source>
+        <translation>l’indiquer&#xa0;: --columns time={}:ms</translation>
+    </message>
+    <message>
+        <source>the trace has no times: one sample each {:.6g} ms is taken from the servo period of the machine</source>
+        <translation>la trace n’a pas de temps&#xa0;: un échantillon toutes les {} ms, d’après la période d’asservissement de la machine</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no trace: no row of numbers in its first {} lines; known are LinuxCNC halsampler, SINUMERIK trace (XML), TwinCAT Scope (text) and tables of samples</source>
+        <translation>&apos;{}&apos; n’est pas une trace&#xa0;: aucune ligne de nombres dans ses {} premières lignes&#xa0;; sont connus halsampler de LinuxCNC, la trace SINUMERIK (XML), TwinCAT Scope (texte) et les tables d’échantillons</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has no column that is known as the position of X, Y or Z; it has {}; say which, as --columns x=2:mm,y=3:mm</source>
+        <translation>&apos;{}&apos; n’a aucune colonne reconnue comme position de X, Y ou Z&#xa0;; colonnes&#xa0;: {}&#xa0;; indiquez lesquelles, comme --columns x=2:mm,y=3:mm</translation>
+    </message>
+    <message>
+        <source>the time goes back from {:.6g} s to {:.6g} s</source>
+        <translation>le temps revient de {} s à {} s</translation>
+    </message>
+    <message>
+        <source>{}:{}: the trace has more than {} million samples</source>
+        <translation>{}:{}&#xa0;: la trace compte plus de {} millions d’échantillons</translation>
+    </message>
+    <message>
+        <source>the time goes back once; the longest part with {} of {} samples is used</source>
+        <translation>le temps recule une fois ; la plus longue partie, {} des {} échantillons, est utilisée</translation>
+    </message>
+    <message>
+        <source>the time goes back {} times; the longest part with {} of {} samples is used</source>
+        <translation>le temps revient en arrière {} fois&#xa0;; la partie la plus longue, {} échantillons sur {}, est utilisée</translation>
+    </message>
+    <message>
+        <source>{} missing positions are interpolated between their neighbours</source>
+        <translation>positions manquantes interpolées entre leurs voisines&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>{} positions that are missing for long are those before them</source>
+        <translation>{} positions absentes pendant longtemps gardent leur dernière valeur</translation>
+    </message>
+    <message>
+        <source>{:.6g} ms without a sample at {:.6g} s</source>
+        <translation>{} ms sans échantillon à {} s</translation>
+    </message>
+    <message>
+        <source>{} more stretches without samples, {:.6g} s in all</source>
+        <translation>autres tronçons sans échantillons&#xa0;: {}, {} s en tout</translation>
+    </message>
+    <message>
+        <source>samples are {:.3g} ms apart, give or take {:.3g} ms</source>
+        <translation>les échantillons sont espacés de {} ms, à {} ms près</translation>
+    </message>
+    <message>
+        <source>one sample each {:.4g} ms: ramps and corners that last less than {:.4g} ms cannot be told apart</source>
+        <translation>un échantillon toutes les {} ms&#xa0;: rampes et angles de moins de {} ms ne se distinguent pas</translation>
+    </message>
+    <message>
+        <source>the sample at {:.6g} s lies {:.4g} mm beside those before and behind it</source>
+        <translation>l’échantillon à {} s se trouve à {} mm de ceux qui l’entourent</translation>
+    </message>
+    <message>
+        <source>the position jumps by {:.4g} mm within {:.4g} ms at {:.6g} s</source>
+        <translation>la position saute de {} mm en {} ms à {} s</translation>
+    </message>
+    <message>
+        <source>{} more jumps of the position</source>
+        <translation>{} autres sauts de la position</translation>
+    </message>
+    <message>
+        <source>the positions of the trace move at {:.3g} % of the feed that it records: its sampling rate is wrong</source>
+        <translation>les positions de la trace avancent à {} % de l’avance qu’elle enregistre&#xa0;: sa cadence d’échantillonnage est fausse</translation>
+    </message>
+    <message>
+        <source>give the right rate, {0:.0f} samples a second, as --columns linuxcnc,rate={0:.0f}; or leave the column of the feed out</source>
+        <translation>donnez la bonne cadence, {0} échantillons par seconde, comme --columns linuxcnc,rate={0}&#xa0;; ou omettez la colonne de l’avance</translation>
+    </message>
+    <message>
+        <source>a row without numbers is skipped, the first is &apos;{}&apos;</source>
+        <translation>une ligne sans nombres est ignorée&#xa0;: «&#xa0;{}&#xa0;»</translation>
+    </message>
+    <message>
+        <source>{} rows without numbers are skipped, the first is &apos;{}&apos;</source>
+        <translation>{} lignes sans nombres sont ignorées, la première est «&#xa0;{}&#xa0;»</translation>
+    </message>
+    <message>
+        <source>{} samples at the time of the one before are skipped</source>
+        <translation>échantillons ignorés, au même temps que le précédent&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>{} samples with a time a little before that of the sample ahead are skipped</source>
+        <translation>{} échantillons dont le temps précède un peu celui de l’échantillon d’avant sont omis</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has no position of X, Y or Z; name their columns, as --columns x=2:mm,y=3:mm</source>
+        <translation>&apos;{}&apos; n’a pas de position de X, Y ou Z&#xa0;; nommez leurs colonnes, comme --columns x=2:mm,y=3:mm</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has too few samples whose times rise: {}; a trace has at least {}</source>
+        <translation>&apos;{}&apos; a trop peu d’échantillons dont le temps croît&#xa0;: {}&#xa0;; il en faut au moins {}</translation>
+    </message>
+    <message>
+        <source>column specification: {}</source>
+        <translation>spécification des colonnes&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>{}={} must be a number from {} to {}</source>
+        <translation>{}={} doit être un nombre de {} à {}</translation>
+    </message>
+    <message>
+        <source>separator={} must be tab, comma, semicolon or blank</source>
+        <translation>separator={} doit être tab, comma, semicolon ou blank</translation>
+    </message>
+    <message>
+        <source>decimal={} must be point or comma</source>
+        <translation>decimal={} doit être point ou comma</translation>
+    </message>
+    <message>
+        <source>{} cannot have an offset, {}; positions of axes can</source>
+        <translation>{} ne peut pas avoir de décalage, {}&#xa0;; les positions des axes le peuvent</translation>
+    </message>
+    <message>
+        <source>{}= needs the number or the name of a column, such as {}=2</source>
+        <translation>{}= demande le numéro ou le nom d’une colonne, par exemple {}=2</translation>
+    </message>
+    <message>
+        <source>unit &apos;{}&apos; of {} is not known; known: {}</source>
+        <translation>l’unité &apos;{}&apos; de {} n’est pas connue&#xa0;; unités connues&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; {}</source>
+        <translation>clé &apos;{}&apos; inconnue&#xa0;; {}</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not KEY=VALUE</source>
+        <translation>&apos;{}&apos; n’est pas de la forme KEY=VALUE</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no preset of columns; known: {}; or write a specification such as time=1:ms,x=2:mm,y=3:mm</source>
+        <translation>&apos;{}&apos; n’est pas un préréglage de colonnes&#xa0;; sont connus&#xa0;: {}&#xa0;; ou écrivez une spécification comme time=1:ms,x=2:mm,y=3:mm</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is a folder; give a trace</source>
+        <translation>&apos;{}&apos; est un dossier&#xa0;; il faut une trace</translation>
+    </message>
+    <message>
+        <source>cannot read trace &apos;{}&apos;: {}</source>
+        <translation>la trace &apos;{}&apos; ne peut pas être lue&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is written in UTF-16; save it as UTF-8</source>
+        <translation>&apos;{}&apos; est écrit en UTF-16&#xa0;; enregistrez-le en UTF-8</translation>
+    </message>
+    <message>
+        <source>{}:{}: the line is longer than 1 MiB; this is not a table of samples</source>
+        <translation>{}:{}&#xa0;: la ligne dépasse 1 Mio&#xa0;; ce n’est pas une table d’échantillons</translation>
+    </message>
+    <message>
+        <source>{}:{}: no samples follow the head of the TwinCAT Scope export</source>
+        <translation>{}:{}&#xa0;: aucun échantillon ne suit l’en-tête de l’export TwinCAT Scope</translation>
+    </message>
+    <message>
+        <source>a film of {:.0f} x {:.0f} units is too small for the view and the charts; use a larger --size or a smaller --scale</source>
+        <translation>un film de {} x {} unités est trop petit pour la vue et les graphiques&#xa0;; prenez un --size plus grand ou un --scale plus petit</translation>
+    </message>
+    <message>
+        <source>a film of {:.0f} x {:.0f} units is too small; use a larger --size or a smaller --scale</source>
+        <translation>un film de {} x {} unités est trop petit&#xa0;; prenez un --size plus grand ou un --scale plus petit</translation>
+    </message>
+    <message>
+        <source>the film would begin at {:.6g} s and end at {:.6g} s; give --from a time before that of --to</source>
+        <translation>le film commencerait à {} s et finirait à {} s&#xa0;; donnez à --from un temps avant celui de --to</translation>
+    </message>
+    <message>
+        <source>the film would end at {:.6g} s, but the run takes {:.6g} s; use a smaller --to</source>
+        <translation>le film finirait à {} s, mais la simulation dure {} s&#xa0;; prenez un --to plus petit</translation>
+    </message>
+    <message>
+        <source>the film would have {} frames, and at most {} can be written; use --speed {:.6g} or more, a smaller --fps, or a shorter stretch by --from and --to</source>
+        <translation>le film aurait {} images, et {} au plus peuvent être écrites&#xa0;; prenez --speed {} ou plus, un --fps plus petit, ou une partie plus courte par --from et --to</translation>
+    </message>
+    <message>
+        <source>machine &apos;{}&apos; has no rotary axes to draw; choose a machine with [kinematics], such as five-axis-table-ac</source>
+        <translation>la machine &apos;{}&apos; n’a pas d’axes rotatifs à dessiner&#xa0;; choisissez une machine avec [kinematics], comme five-axis-table-ac</translation>
+    </message>
+    <message>
+        <source>cannot write &apos;{}&apos;: {}</source>
+        <translation>&apos;{}&apos; ne peut pas être écrit&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>cannot write &apos;{}&apos; as a picture; its name must end in .png, .svg or .pdf</source>
+        <translation>&apos;{}&apos; ne peut pas être écrit comme image&#xa0;; son nom doit finir par .png, .svg ou .pdf</translation>
+    </message>
+    <message>
+        <source>charts of {} x {} units are too small; they need at least {} x {}: use a larger --size or a smaller --scale</source>
+        <translation>des graphiques de {} x {} unités sont trop petits&#xa0;; il leur faut au moins {} x {}&#xa0;: prenez un --size plus grand ou un --scale plus petit</translation>
+    </message>
+    <message>
+        <source>did you mean {}?</source>
+        <translation>vouliez-vous dire {}&#xa0;?</translation>
+    </message>
+    <message>
+        <source>unknown placeholder {}; {}</source>
+        <translation>emplacement {} inconnu&#xa0;; {}</translation>
+    </message>
+    <message>
+        <source>&apos;{{&apos; without &apos;}}&apos;</source>
+        <translation>&apos;{{&apos; sans &apos;}}&apos;</translation>
+    </message>
+    <message>
+        <source>section {} is not closed; write {} after it</source>
+        <translation>la section {} n’est pas fermée&#xa0;; écrivez {} après elle</translation>
+    </message>
+    <message>
+        <source>{} closes no section</source>
+        <translation>{} ne ferme aucune section</translation>
+    </message>
+    <message>
+        <source>{} closes no section; {} is open</source>
+        <translation>{} ne ferme aucune section&#xa0;; {} est ouverte</translation>
+    </message>
+    <message>
+        <source>the text {} has no quote at its end</source>
+        <translation>le texte {} n’a pas de guillemet à sa fin</translation>
+    </message>
+    <message>
+        <source>cannot read the template &apos;{}&apos;: {}</source>
+        <translation>le modèle de page &apos;{}&apos; ne peut pas être lu&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>it has {} bytes, and a template may have {}</source>
+        <translation>il compte {} octets, et un modèle de page peut en avoir {}</translation>
+    </message>
+    <message>
+        <source>the 3D view would have {} x {} pixels, and each side may have 1 to {}; use a smaller --size, --scale or --dpi</source>
+        <translation>la vue 3D aurait {} x {} pixels, et chaque côté peut en avoir de 1 à {}&#xa0;; prenez un --size, --scale ou --dpi plus petit</translation>
+    </message>
+    <message>
+        <source>a sheet of {:.0f} x {:.0f} units is too small; it needs at least {:.0f} on its longer and {:.0f} on its shorter side: use a larger --size or a smaller --scale</source>
+        <translation>une fiche de {} x {} unités est trop petite&#xa0;; il lui faut au moins {} sur le grand côté et {} sur le petit&#xa0;: prenez un --size plus grand ou un --scale plus petit</translation>
+    </message>
+    <message>
+        <source>cannot be read: {}</source>
+        <translation>ne peut pas être lue&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>has {} bytes, and a picture may have {}</source>
+        <translation>compte {} octets, et une image peut en avoir {}</translation>
+    </message>
+    <message>
+        <source>is not a picture; PNG, JPEG, SVG and other formats of Qt are supported</source>
+        <translation>n’est pas une image&#xa0;; PNG, JPEG, SVG et d’autres formats de Qt sont pris en charge</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; {}</source>
+        <translation>&apos;{}&apos; {}</translation>
+    </message>
+    <message>
+        <source>is an external style sheet; put its rules into &lt;style&gt;</source>
+        <translation>est une feuille de style externe&#xa0;; mettez ses règles dans &lt;style&gt;</translation>
+    </message>
+    <message>
+        <source>contains no picture; PNG, JPEG, SVG and other formats of Qt are supported</source>
+        <translation>ne contient pas d’image&#xa0;; PNG, JPEG, SVG et d’autres formats de Qt sont pris en charge</translation>
+    </message>
+    <message>
+        <source>is a URL; save the picture in the template&apos;s folder and give its file name</source>
+        <translation>est une URL&#xa0;; enregistrez l’image dans le dossier du modèle et donnez son nom de fichier</translation>
+    </message>
+    <message>
+        <source>{}; pictures are looked for in the template&apos;s folder</source>
+        <translation>{}&#xa0;; les images sont cherchées dans le dossier du modèle</translation>
+    </message>
+    <message>
+        <source>picture &apos;{}&apos; {}</source>
+        <translation>l’image &apos;{}&apos; {}</translation>
+    </message>
+    <message>
+        <source>line {}, column {}</source>
+        <translation>ligne {}, colonne {}</translation>
+    </message>
+    <message>
+        <source>cannot read session &apos;{}&apos;: {}</source>
+        <translation>la session &apos;{}&apos; ne peut pas être lue&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is larger than 64 MiB and cannot be a session</source>
+        <translation>&apos;{}&apos; dépasse 64 Mio et ne peut pas être une session</translation>
+    </message>
+    <message>
+        <source>cannot write session &apos;{}&apos;: {}</source>
+        <translation>la session &apos;{}&apos; ne peut pas être écrite&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a session: {} ({})</source>
+        <translation>&apos;{}&apos; n’est pas une session&#xa0;: {} ({})</translation>
+    </message>
+    <message>
+        <source>cannot use session &apos;{}&apos;: {}</source>
+        <translation>la session &apos;{}&apos; ne peut pas être utilisée&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>it is not a Feedscope session: its &quot;format&quot; is not &quot;{}&quot;</source>
+        <translation>ce n’est pas une session de Feedscope&#xa0;: son &quot;format&quot; n’est pas &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>it is of version {}, written by a newer Feedscope; this one reads up to version {}</source>
+        <translation>elle est de la version {}, écrite par un Feedscope plus récent&#xa0;; celui-ci lit jusqu’à la version {}</translation>
+    </message>
+    <message>
+        <source>its &quot;version&quot; is not a whole number from 1 to {}</source>
+        <translation>sa &quot;version&quot; n’est pas un nombre entier de 1 à {}</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; must be tables; begin each with [[{0}]]</source>
+        <translation>&apos;{0}&apos; doit contenir des tables&#xa0;; commencez chacune par [[{0}]]</translation>
+    </message>
+    <message>
+        <source>Home position X</source>
+        <translation>Position d’origine X</translation>
+    </message>
+    <message>
+        <source>Home position Y</source>
+        <translation>Position d’origine Y</translation>
+    </message>
+    <message>
+        <source>Home position Z</source>
+        <translation>Position d’origine Z</translation>
+    </message>
+    <message>
+        <source>Tool change position X</source>
+        <translation>Position de changement d’outil X</translation>
+    </message>
+    <message>
+        <source>Tool change position Y</source>
+        <translation>Position de changement d’outil Y</translation>
+    </message>
+    <message>
+        <source>Tool change position Z</source>
+        <translation>Position de changement d’outil Z</translation>
+    </message>
+    <message>
+        <source>Part zero X</source>
+        <translation>Origine pièce X</translation>
+    </message>
+    <message>
+        <source>Part zero Y</source>
+        <translation>Origine pièce Y</translation>
+    </message>
+    <message>
+        <source>Part zero Z</source>
+        <translation>Origine pièce Z</translation>
+    </message>
+    <message>
+        <source>Cutting feed X</source>
+        <translation>Avance de coupe X</translation>
+    </message>
+    <message>
+        <source>Cutting feed Y</source>
+        <translation>Avance de coupe Y</translation>
+    </message>
+    <message>
+        <source>Cutting feed Z</source>
+        <translation>Avance de coupe Z</translation>
+    </message>
+    <message>
+        <source>Angle of the part about X</source>
+        <translation>Angle de la pièce autour de X</translation>
+    </message>
+    <message>
+        <source>Angle of the part about Y</source>
+        <translation>Angle de la pièce autour de Y</translation>
+    </message>
+    <message>
+        <source>Angle of the part about Z</source>
+        <translation>Angle de la pièce autour de Z</translation>
+    </message>
+    <message>
+        <source>{} ... {}</source>
+        <translation>{} ... {}</translation>
+    </message>
+    <message>
+        <source>{}{} without a decimal point is used as {} seconds</source>
+        <translation>{}{} sans point décimal est lu comme {} secondes</translation>
+    </message>
+    <message>
+        <source>P{} is used as {} seconds, as in {}</source>
+        <translation>P{} est lu comme {} secondes, comme dans {}</translation>
+    </message>
+    <message>
+        <source>P{} without a decimal point is used as {} milliseconds</source>
+        <translation>P{} sans point décimal est lu comme {} millisecondes</translation>
+    </message>
+    <message>
+        <source>KEY= is missing</source>
+        <translation>KEY= manque</translation>
+    </message>
+    <message>
+        <source>{} is listed twice</source>
+        <translation>{} est donné deux fois</translation>
+    </message>
+    <message>
+        <source>the value is missing</source>
+        <translation>la valeur manque</translation>
+    </message>
+    <message>
+        <source>{} values; at most {} are possible</source>
+        <translation>{} valeurs&#xa0;; {} au plus sont possibles</translation>
     </message>
 </context>
 <context>

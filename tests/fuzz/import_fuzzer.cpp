@@ -17,7 +17,7 @@ void check_notes(const ImportedMachine& imported, const std::string& text) {
   const auto lines = static_cast<std::uint32_t>(
       1 + std::ranges::count_if(text, [](char c) { return c == '\n' || c == '\r'; }));
   for (const Diagnostic& note : imported.notes) {
-    fuzz::must(note.line <= lines, "line of: " + note.message);
+    fuzz::must(note.line <= lines, "line of: " + note.message.english());
     fuzz::must(!note.message.empty() && !note.code.empty(), "empty note");
   }
 }

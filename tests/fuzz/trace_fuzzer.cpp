@@ -25,7 +25,8 @@ void check(const Trace& trace, std::size_t lines) {
   fuzz::must(trace.line.empty() || trace.line.size() == trace.size(), "a line a sample");
   fuzz::must(trace.has(0) || trace.has(1) || trace.has(2), "an axis");
   for (const Diagnostic& note : trace.notes) {
-    fuzz::must(note.line <= lines && !note.code.empty() && !note.message.empty(), "note: " + note.message);
+    fuzz::must(note.line <= lines && !note.code.empty() && !note.message.empty(),
+               "note: " + note.message.english());
   }
 }
 

@@ -81,7 +81,9 @@ inline std::shared_ptr<ui::IdentificationOutcome> some_outcome() {
   outcome->models[1].explains = false;
   outcome->models[1].residual = 87.5;
   outcome->models[1].parameters[0] = untold_number("X.acceleration", "m/s2", 0.75, "");
-  outcome->unfitted = {{"grbl", "the trace holds too little of its program to find anything from it", ""}};
+  outcome->unfitted = {
+      {"grbl", Message::as_written("the trace holds too little of its program to find anything from it"),
+       ""}};
   return outcome;
 }
 

@@ -41,11 +41,11 @@ QString percent(double share) {
 }  // namespace
 
 QString cause_kind_name(CauseKind kind) {
-  return core_text(cause_title({kind, -1}));
+  return shown_cause({kind, -1});
 }
 
 QString cause_name(Cause cause) {
-  return core_text(cause_title(cause));
+  return shown_cause(cause);
 }
 
 CauseStrip::CauseStrip(QWidget* parent) : QWidget(parent) {

@@ -7,7 +7,7 @@
 
 #include "ui/charts/chart_export.h"
 #include "ui/charts/charts_panel.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/shared/panel_action.h"
 
 namespace feedscope::ui {

@@ -28,7 +28,7 @@
 #include "ui/fields/focus_outline.h"
 #include "ui/fields/number_box.h"
 #include "ui/fields/number_list_field.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/row_copy.h"

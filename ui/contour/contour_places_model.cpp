@@ -65,7 +65,7 @@ QString ContourPlacesModel::text(int row, int column) const {
     case feed:
       return tr("%1 of %2").arg(feed_text(found.feed), feed_text(found.programmed_feed));
     default:
-      return core_text(cause_title(found.cause));
+      return shown_cause(found.cause);
   }
 }
 

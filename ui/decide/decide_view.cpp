@@ -18,7 +18,7 @@
 #include "ui/decide/decision_chart.h"
 #include "ui/decide/tolerance_dialog.h"
 #include "ui/fields/number_box.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/language/remedy_text.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"

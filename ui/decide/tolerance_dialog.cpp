@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "ui/fields/number_text.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/language/shown_numbers.h"
 
 namespace feedscope::ui {

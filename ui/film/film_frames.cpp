@@ -1,7 +1,5 @@
 #include "ui/film/film_frames.h"
 
-#include <fmt/format.h>
-
 #include <QApplication>
 #include <QFontMetricsF>
 #include <QLocale>
@@ -67,9 +65,14 @@ void FilmFrames::lay_out() {
   const double charts = look_.charts ? whole_pixels(charts_share * size.height(), ratio) : 0;
   const double view = size.height() - caption - charts;
   if (size.width() < least_view.width() || view < least_view.height()) {
-    throw InputError(fmt::format(
-        "a film of {:.0f} x {:.0f} units is too small{}; use a larger --size or a smaller --scale",
-        size.width(), size.height(), look_.charts ? " for the view and the charts" : ""));
+    throw InputError(look_.charts ? message(NC_("core",
+                                                "a film of {:.0f} x {:.0f} units is too small for the view "
+                                                "and the charts; use a larger --size or a smaller --scale"),
+                                            size.width(), size.height())
+                                  : message(NC_("core",
+                                                "a film of {:.0f} x {:.0f} units is too small; use a larger "
+                                                "--size or a smaller --scale"),
+                                            size.width(), size.height()));
   }
   view_ = QRectF(0, 0, size.width(), view);
   caption_ = QRectF(0, view, size.width(), caption);

@@ -1,7 +1,5 @@
 #include "ui/film/film_times.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -47,23 +45,24 @@ double usual_film_speed(double span) {
 
 void check_film_times(const FilmTimes& times, double duration) {
   if (duration <= 0) {
-    throw InputError("the program does not move, so that there is nothing to film");
+    throw InputError(NC_("core", "the program does not move, so that there is nothing to film"));
   }
   if (times.from >= times.to) {
-    throw InputError(fmt::format(
-        "the film would begin at {:.6g} s and end at {:.6g} s; give --from a time before that of --to",
+    throw InputError(message(
+        NC_("core",
+            "the film would begin at {:.6g} s and end at {:.6g} s; give --from a time before that of --to"),
         times.from, times.to));
   }
   if (times.to > duration + typed_too_long) {
     throw InputError(
-        fmt::format("the film would end at {:.6g} s, but the run takes {:.6g} s; use a smaller --to",
-                    times.to, duration));
+        message(NC_("core", "the film would end at {:.6g} s, but the run takes {:.6g} s; use a smaller --to"),
+                times.to, duration));
   }
   if (times.frames() > most_film_frames) {
-    throw InputError(fmt::format(
-        "the film would have {} frames, and at most {} can be written; use --speed {:.6g} or more, a "
-        "smaller --fps, or a shorter stretch by --from and --to",
-        times.frames(), most_film_frames, times.least_speed()));
+    throw InputError(message(NC_("core",
+                                 "the film would have {} frames, and at most {} can be written; use --speed "
+                                 "{:.6g} or more, a smaller --fps, or a shorter stretch by --from and --to"),
+                             times.frames(), most_film_frames, times.least_speed()));
   }
 }
 

@@ -86,8 +86,8 @@ class OggFilm::Impl {
  private:
   void check(bool written) const {
     if (!written) {
-      throw InputError("cannot write '" + name_ +
-                       "': not everything could be written; is there room for it?");
+      throw InputError(message(NC_("core", "cannot write '{}': {}"), name_,
+                               NC_("core", "not everything could be written; is there room for it?")));
     }
   }
 
@@ -126,7 +126,8 @@ bool OggFilm::is_available() {
 }
 
 OggFilm::OggFilm(const std::string& /*file*/, int /*fps*/, const std::string& name) {
-  throw InputError("cannot write '" + name + "': this build of Feedscope has no Theora video");
+  throw InputError(message(NC_("core", "cannot write '{}': {}"), name,
+                           NC_("core", "this build of Feedscope has no Theora video")));
 }
 
 void OggFilm::add(const QImage& /*frame*/) {}

@@ -16,7 +16,7 @@
 #include "ui/fields/focus_outline.h"
 #include "ui/identification/identification_texts.h"
 #include "ui/language/core_texts.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/theme/type_size.h"
 
 namespace feedscope::ui {

@@ -67,7 +67,7 @@ void IdentificationJob::start(IdentificationRequest request) {
             outcome->models.push_back(fit(recordings, matched, one, outcome->date, control.progress, share));
           } catch (const InputError& error) {
             outcome->unfitted.push_back(
-                {one.setup.model->info().title, error.what(), one.setup.model->info().id});
+                {one.setup.model->info().title, error.message(), one.setup.model->info().id});
           }
         }
         if (outcome->models.empty()) {

@@ -22,7 +22,7 @@
 #include "ui/identification/recordings_box.h"
 #include "ui/identification/result_box.h"
 #include "ui/identification/test_program_dialog.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/shared/flow_layout.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/paths.h"

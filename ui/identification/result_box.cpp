@@ -13,8 +13,8 @@
 #include "ui/fields/focus_outline.h"
 #include "ui/identification/identification_texts.h"
 #include "ui/identification/residual_chart.h"
-#include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
+#include "ui/language/in_language.h"
 #include "ui/shared/row_copy.h"
 #include "ui/theme/type_size.h"
 
@@ -156,7 +156,7 @@ void ResultBox::show_models() {
   }
   for (const UnfittedModel& unfitted : outcome_->unfitted) {
     auto* row = new QTreeWidgetItem(models_, {core_text(unfitted.title), {}, {}, tr("failed")});
-    row->setToolTip(0, composed_text(unfitted.reason));
+    row->setToolTip(0, in_language(unfitted.reason));
   }
   models_->setCurrentItem(models_->topLevelItem(static_cast<int>(chosen_)));
   fit_height(*models_);

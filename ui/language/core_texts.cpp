@@ -1,26 +1,18 @@
 #include "ui/language/core_texts.h"
 
 #include <QCoreApplication>
-#include <QRegularExpression>
 
 namespace feedscope::ui {
 
 QString core_text(const std::string& text) {
-  const QString shown = QCoreApplication::translate("core", text.c_str());
-  const QString as_written = QString::fromStdString(text);
-  if (shown != as_written) {
-    return shown;
-  }
-  // "jerk of axis X" is translated as "jerk of axis %1".
-  static const QRegularExpression axis(QStringLiteral("\\b[XYZABC]\\b"));
-  const QRegularExpressionMatch match = axis.match(as_written);
-  if (!match.hasMatch()) {
-    return as_written;
-  }
-  QString pattern = as_written;
-  pattern.replace(match.capturedStart(), 1, QStringLiteral("%1"));
-  return QCoreApplication::translate("core", pattern.toUtf8().constData())
-      .replace(QStringLiteral("%1"), match.captured());
+  return QCoreApplication::translate("core", text.c_str());
+}
+
+QString shown_cause(Cause cause) {
+  const CauseInfo& info = info_of(cause.kind);
+  return info.by_axis() && cause.axis >= 0
+             ? core_text(std::string(info.axis_title)).arg(QLatin1Char(axis_name(cause)))
+             : core_text(std::string(info.title));
 }
 
 QString unit_text(const std::string& unit) {

@@ -58,7 +58,7 @@ QString slower_tolerance_text(const SlowerTolerance& slower) {
   return QCoreApplication::translate(
              "texts", "A tolerance of %1 takes %2 s longer than %3, mostly due to %4 (%5 s more)%6.")
       .arg(significant_text(slower.wide_value, Dimension::length, 5), seconds(slower.more),
-           significant_text(slower.narrow_value, Dimension::length, 5), core_text(cause_title(slower.cause)),
+           significant_text(slower.narrow_value, Dimension::length, 5), shown_cause(slower.cause),
            seconds(slower.cause_more), is_by_blends(slower) ? why : QString());
 }
 

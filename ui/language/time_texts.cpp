@@ -7,6 +7,7 @@
 #include "core/analysis/notes/run_notes.h"
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
+#include "ui/language/in_language.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/significant.h"
 #include "ui/language/texts.h"
@@ -39,7 +40,12 @@ QString core_title(std::string_view text) {
 QString TimeTexts::refusal(const Run& run) {
   return tr("<b>The control refuses the program:</b> none of its feed motions is run, and there is no cycle "
             "time to explain. Lines that are not run: %1.")
-      .arg(QString::fromStdString(line_list(run.input.lines_not_run)));
+      .arg(in_language(line_list(run.input.lines_not_run)));
+}
+
+QString TimeTexts::lost_to(const SlowGroup& group) {
+  return group.kind == CauseKind::programmed_feed ? core_text(feedscope::lost_to(group))
+                                                  : shown_cause(group.cause);
 }
 
 QString TimeTexts::conclusion(const TimeReport& report, const Run& run) {
@@ -70,9 +76,9 @@ QString TimeTexts::conclusion(const TimeReport& report, const Run& run) {
         QLatin1Char(' ') +
         tr("Most is lost here: <b>%1</b> (%2 s).").arg(group(most).toHtmlEscaped(), seconds_text(most.loss));
   }
-  if (const std::string lines = line_list(run.input.lines_not_run); !lines.empty()) {
-    text += QLatin1Char(' ') + tr("Lines that the control refuses and that are not in these times: %1.")
-                                   .arg(QString::fromStdString(lines));
+  if (const Message lines = line_list(run.input.lines_not_run); !lines.empty()) {
+    text += QLatin1Char(' ') +
+            tr("Lines that the control refuses and that are not in these times: %1.").arg(in_language(lines));
   }
   return text;
 }
@@ -82,11 +88,11 @@ QString TimeTexts::kind(TimeKind kind) {
 }
 
 QString TimeTexts::cause(Cause cause) {
-  return with_capital(core_text(cause_title(cause)));
+  return with_capital(shown_cause(cause));
 }
 
 QString TimeTexts::group(const SlowGroup& group) {
-  return tr("%1: %2").arg(with_capital(core_title(info_of(group.shape).title)), core_text(lost_to(group)));
+  return tr("%1: %2").arg(with_capital(core_title(info_of(group.shape).title)), lost_to(group));
 }
 
 QString TimeTexts::measure(const SlowGroup& group) {

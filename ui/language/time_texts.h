@@ -20,6 +20,8 @@ class TimeTexts {
   static QString kind(TimeKind kind);
   /// "Jerk of axis X".
   static QString cause(Cause cause);
+  /// lost_to() in the user's language.
+  static QString lost_to(const SlowGroup& group);
   /// "Corners: radial jerk on a blend".
   static QString group(const SlowGroup& group);
   /// "turn 4.9° to 90°, median 5°"; "" for shapes without a measure.

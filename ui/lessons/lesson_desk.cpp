@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/language/texts.h"
 #include "ui/lessons/lesson_tries.h"
 #include "ui/lessons/tries_table.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/lessons/lesson_runs.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/lessons/lesson_work.h"
 #include "ui/shared/job.h"
 #include "ui/workbench/workbench.h"

@@ -18,7 +18,7 @@
 #include "core/load/load_model.h"
 #include "ui/fields/choice_delegate.h"
 #include "ui/fields/focus_outline.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/load/load_figures_table.h"
 #include "ui/load/load_places_table.h"
 #include "ui/load/load_texts.h"
@@ -176,7 +176,7 @@ void LoadView::apply() {
   problem_.clear();
   for (const Engagement& operation : setup.operations) {
     if (problem_.isEmpty()) {
-      problem_ = failure_text(operation_problem(operation));
+      problem_ = in_language(operation_problem(operation));
     }
   }
   if (problem_.isEmpty() && !setup.empty() && input.program != nullptr) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ui/language/composed_text.h"
+#include "ui/language/in_language.h"
 
 namespace feedscope::ui {
 
@@ -19,7 +19,7 @@ void DiagnosticsModel::set_program(std::shared_ptr<const Program> program) {
 void DiagnosticsModel::add_message(Severity severity, const QString& text) {
   Diagnostic diagnostic;
   diagnostic.severity = severity;
-  diagnostic.message = text.toStdString();
+  diagnostic.message = Message::as_written(text.toStdString());
   const int row = rowCount();
   beginInsertRows({}, row, row);
   messages_.push_back(std::move(diagnostic));
@@ -55,7 +55,7 @@ QString DiagnosticsModel::place_text(const Diagnostic& diagnostic) {
 }
 
 QString DiagnosticsModel::message_text(int row) const {
-  const QString text = composed_text(at(row).message);
+  const QString text = in_language(at(row).message);
   const auto i = static_cast<std::size_t>(row);
   return i < rows_.size() && rows_[i].more > 0
              ? tr("%1 (%2 more up to line %3)")
@@ -89,7 +89,7 @@ QVariant DiagnosticsModel::data(const QModelIndex& index, int role) const {
     case message:
       return message_text(index.row());
     default:
-      return composed_text(diagnostic.hint);
+      return in_language(diagnostic.hint);
   }
 }
 

@@ -111,7 +111,8 @@ PictureFormat picture_format_of(const std::string& name) {
       return format;
     }
   }
-  throw InputError("cannot write '" + name + "' as a picture; its name must end in .png, .svg or .pdf");
+  throw InputError(
+      message(NC_("core", "cannot write '{}' as a picture; its name must end in .png, .svg or .pdf"), name));
 }
 
 Picture picture_of(const QImage& image) {

@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "core/program/text/scanner.h"
-#include "ui/language/composed_text.h"
+#include "ui/language/in_language.h"
 
 namespace feedscope::ui {
 
@@ -28,9 +28,9 @@ std::span<const Diagnostic* const> DiagnosticMarks::of(std::uint32_t first, std:
 QString DiagnosticMarks::tip(std::uint32_t line) const {
   QStringList tip;
   for (const Diagnostic* diagnostic : of(line)) {
-    tip.append(composed_text(diagnostic->message));
+    tip.append(in_language(diagnostic->message));
     if (!diagnostic->hint.empty()) {
-      tip.append(composed_text(diagnostic->hint));
+      tip.append(in_language(diagnostic->hint));
     }
   }
   return tip.join('\n');

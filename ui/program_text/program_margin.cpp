@@ -7,7 +7,7 @@
 #include <QToolTip>
 #include <algorithm>
 
-#include "ui/language/composed_text.h"
+#include "ui/language/in_language.h"
 #include "ui/program_text/line_time_text.h"
 #include "ui/program_text/program_view.h"
 #include "ui/theme/program_colours.h"
@@ -121,7 +121,7 @@ QString ProgramMargin::tip_of(std::uint32_t line) const {
     }
   }
   for (const Diagnostic* diagnostic : view_.marks().of(line)) {
-    tip.append(composed_text(diagnostic->message));
+    tip.append(in_language(diagnostic->message));
   }
   return tip.join('\n');
 }

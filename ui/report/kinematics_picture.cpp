@@ -289,9 +289,10 @@ std::string kinematics_picture(const std::string& name, const Machine& machine, 
   PictureSpec spec;
   spec.format = picture_format_of(name);
   if (machine.kinematics.empty()) {
-    throw InputError("machine '" + machine.id +
-                     "' has no rotary axes to draw; choose a machine with [kinematics], such as "
-                     "five-axis-table-ac");
+    throw InputError(message(NC_("core",
+                                 "machine '{}' has no rotary axes to draw; choose a machine with "
+                                 "[kinematics], such as five-axis-table-ac"),
+                             machine.id));
   }
   chain_of(machine.kinematics);
   const OffscreenApplication application;

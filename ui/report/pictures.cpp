@@ -127,13 +127,10 @@ std::string charts_file(const ReportInput& input, const PictureRequest& request)
   const QSize least = page.minimumSizeHint();
   const QSize size = request.size.toSize();
   if (size.width() < least.width() || size.height() < least.height()) {
-    throw InputError(QStringLiteral("charts of %1 x %2 units are too small; they need at least %3 x %4: use "
-                                    "a larger --size or a smaller --scale")
-                         .arg(size.width())
-                         .arg(size.height())
-                         .arg(least.width())
-                         .arg(least.height())
-                         .toStdString());
+    throw InputError(message(NC_("core",
+                                 "charts of {} x {} units are too small; they need at least {} x {}: use a "
+                                 "larger --size or a smaller --scale"),
+                             size.width(), size.height(), least.width(), least.height()));
   }
   constexpr double enough_for_shapes = 2;  // columns of a curve per unit, if each is a shape
   page.prepare(size, request.format == PictureFormat::png ? request.pixel_ratio

@@ -49,7 +49,7 @@ inline const Summary& summary_of(const ReportRun& run) {
 /// A requested run that cannot be simulated.
 struct UnmadeRun {
   QString name;
-  std::string why;  ///< message of the library
+  Message why;
 };
 
 /// A recorded trace of the program.

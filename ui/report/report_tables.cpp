@@ -6,8 +6,8 @@
 #include "core/analysis/notes/not_counted.h"
 #include "core/analysis/run/program_facts.h"
 #include "core/base/units.h"
-#include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
+#include "ui/language/in_language.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 #include "ui/paper/html_table.h"
@@ -58,13 +58,13 @@ QString path_control_text(const ProgramFacts& facts) {
       break;
     }
     lines.append(ReportWords::tr("%1: %2").arg(lines_text(range.first_line, range.last_line),
-                                               html_text(composed_text(describe(range.control)))));
+                                               html_text(in_language(describe(range.control)))));
   }
   return lines.isEmpty() ? ReportWords::tr("as the machine") : lines.join(QStringLiteral("<br/>"));
 }
 
 QString severity_text(Severity severity) {
-  return composed_text(std::string(to_string(severity)));
+  return core_text(std::string(to_string(severity)));
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ QString program_facts_block(const ReportInput& input) {
   const auto add = [&](const QString& name, const QString& value) { table.add({name, value}); };
   add(ReportWords::tr("File"), html_text(program.source->name()));
   add(ReportWords::tr("Dialect"), html_text(core_text(std::string(info_of(program.dialect).title))));
-  add(ReportWords::tr("Unit"), html_text(composed_text(describe(program.unit))));
+  add(ReportWords::tr("Unit"), html_text(in_language(describe(program.unit))));
   add(ReportWords::tr("Size"),
       ReportWords::tr("%1 lines, %2 blocks run").arg(facts.lines).arg(program.block_count));
   add(ReportWords::tr("Segments"), ReportWords::tr("%1: %2 lines, %3 arcs, %4 dwells")
@@ -103,8 +103,8 @@ QString program_facts_block(const ReportInput& input) {
             .arg(facts.chord_error->chords));
   }
   add(ReportWords::tr("Tools"), tools_text(program));
-  if (const std::string events = describe(facts.not_counted); !events.empty()) {
-    add(ReportWords::tr("Not in the cycle time"), html_text(composed_text(events)));
+  if (const Message events = describe(facts.not_counted); !events.empty()) {
+    add(ReportWords::tr("Not in the cycle time"), html_text(in_language(events)));
   }
   if (program.call_count > 0) {
     add(ReportWords::tr("Subprogram calls"), QString::number(program.call_count));
@@ -139,15 +139,13 @@ QString messages_block(const ReportInput& input) {
       break;
     }
     const Diagnostic& message = *repeated.first;
-    const std::string repeats = repeats_text(repeated);
+    const Message repeats = repeats_text(repeated);
     const QString also =
-        repeats.empty() ? QString() : QStringLiteral("; %1").arg(html_text(composed_text(repeats)));
-    const QString hint = message.hint.empty()
-                             ? QString()
-                             : QStringLiteral(" (%1)").arg(html_text(composed_text(message.hint)));
+        repeats.empty() ? QString() : QStringLiteral("; %1").arg(html_text(in_language(repeats)));
+    const QString hint =
+        message.hint.empty() ? QString() : QStringLiteral(" (%1)").arg(html_text(in_language(message.hint)));
     const QString line = message.line == 0 ? QString() : QString::number(message.line);
-    table.add(
-        {severity_text(message.severity), line, html_text(composed_text(message.message)) + hint + also});
+    table.add({severity_text(message.severity), line, html_text(in_language(message.message)) + hint + also});
   }
   return table.empty() ? QString() : table.html();
 }

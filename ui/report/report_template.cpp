@@ -39,9 +39,11 @@ std::string braced(const QString& name, const char* sign = "") {
 [[noreturn]] void refuse_unknown(const std::string& place, const QString& name, const QStringList& known) {
   const std::vector<std::string> names = as_std(known);
   const std::string near = nearest_name(name.toStdString(), names);
-  throw InputError(place + ": unknown placeholder " + braced(name) + "; " +
-                   (near.empty() ? fmt::format("known: {}", fmt::join(names, ", "))
-                                 : "did you mean " + braced(QString::fromStdString(near)) + "?"));
+  const Message known_ones =
+      near.empty() ? message(NC_("core", "known: {}"), fmt::to_string(fmt::join(names, ", ")))
+                   : message(NC_("core", "did you mean {}?"), braced(QString::fromStdString(near)));
+  throw InputError(
+      at_place(place, message(NC_("core", "unknown placeholder {}; {}"), braced(name), known_ones)));
 }
 
 /// Translatable texts: those of the shipped template.
@@ -87,7 +89,7 @@ constexpr auto translated = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("ReportWords", "With Feedscope %1:"),
 });
 
-QString in_language(const QString& text) {
+QString word_of_template(const QString& text) {
   const auto found =
       std::ranges::find(translated, text, [](const char* known) { return QString::fromUtf8(known); });
   return found == translated.end() ? text : ReportWords::tr(*found);
@@ -119,15 +121,16 @@ ReportTemplate::ReportTemplate(QString text, QString name, const QStringList& kn
     const std::string place = fmt::format("{}:{}", name.toStdString(), line_of(text, begin));
     const qsizetype end = text.indexOf(QStringLiteral("}}"), begin);
     if (end < 0) {
-      throw InputError(place + ": '{{' without '}}'");
+      throw InputError(at_place(place, NC_("core", "'{{' without '}}'")));
     }
     at = end + 2;
     add(text.mid(begin + 2, end - begin - 2).trimmed(), place, known, open);
   }
   parts_.push_back({Kind::text, text.mid(at)});
   if (!open.empty()) {
-    throw InputError(open.back().place + ": section " + braced(open.back().name, "#") +
-                     " is not closed; write " + braced(open.back().name, "/") + " after it");
+    throw InputError(
+        at_place(open.back().place, message(NC_("core", "section {} is not closed; write {} after it"),
+                                            braced(open.back().name, "#"), braced(open.back().name, "/"))));
   }
 }
 
@@ -153,8 +156,10 @@ void ReportTemplate::add(const QString& word, const std::string& place, const QS
     open.push_back({name, place});
   } else if (kind == Kind::end) {
     if (open.empty() || open.back().name != name) {
-      throw InputError(place + ": " + braced(name, "/") + " closes no section" +
-                       (open.empty() ? "" : "; " + braced(open.back().name, "#") + " is open"));
+      throw InputError(at_place(place, open.empty()
+                                           ? message(NC_("core", "{} closes no section"), braced(name, "/"))
+                                           : message(NC_("core", "{} closes no section; {} is open"),
+                                                     braced(name, "/"), braced(open.back().name, "#"))));
     }
     open.pop_back();
   }
@@ -164,7 +169,8 @@ void ReportTemplate::add(const QString& word, const std::string& place, const QS
 void ReportTemplate::add_words(const QString& word, const std::string& place, const QStringList& known) {
   const qsizetype end = word.lastIndexOf('"');
   if (end == 0) {
-    throw InputError(place + ": the text " + word.toStdString() + " has no quote at its end");
+    throw InputError(
+        at_place(place, message(NC_("core", "the text {} has no quote at its end"), word.toStdString())));
   }
   const QStringList blocks = word.mid(end + 1).split(' ', Qt::SkipEmptyParts);
   for (const QString& name : blocks) {
@@ -208,7 +214,7 @@ QString ReportTemplate::filled(const std::function<QString(const QString&)>& blo
       }
       page += part.kind == Kind::text    ? part.text
               : part.kind == Kind::block ? find(part.text)
-                                         : with_blocks(in_language(part.text), found);
+                                         : with_blocks(word_of_template(part.text), found);
     }
   }
   return page;
@@ -251,18 +257,18 @@ QString shipped_template() {
 
 QString read_template(const QString& file) {
   QFile input(file);
-  const auto fail = [&](const std::string& reason) {
-    throw InputError(fmt::format("cannot read the template '{}': {}", file.toStdString(), reason));
+  const auto fail = [&](const Message& reason) {
+    throw InputError(message(NC_("core", "cannot read the template '{}': {}"), file.toStdString(), reason));
   };
   if (!input.open(QIODevice::ReadOnly)) {
-    fail(input.errorString().toStdString());
+    fail(Message::as_written(input.errorString().toStdString()));
   }
   if (input.size() > largest_template) {
-    fail(fmt::format("it has {} bytes, and a template may have {}", input.size(), largest_template));
+    fail(message(NC_("core", "it has {} bytes, and a template may have {}"), input.size(), largest_template));
   }
   const QByteArray bytes = input.readAll();
   if (input.error() != QFileDevice::NoError) {
-    fail(input.errorString().toStdString());
+    fail(Message::as_written(input.errorString().toStdString()));
   }
   return QString::fromUtf8(bytes);
 }

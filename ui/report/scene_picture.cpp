@@ -1,6 +1,5 @@
 #include "ui/report/scene_picture.h"
 
-#include <fmt/format.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 #include <vtkUnsignedCharArray.h>
@@ -46,10 +45,10 @@ QSize pixels_of(const QSizeF& size, double ratio) {
                      static_cast<int>(std::lround(size.height() * ratio)));
   for (const int side : {pixels.width(), pixels.height()}) {
     if (side < 1 || side > largest_picture_side) {
-      throw InputError(
-          fmt::format("the 3D view would have {} x {} pixels, and each side may have 1 to {}; use a smaller "
-                      "--size, --scale or --dpi",
-                      pixels.width(), pixels.height(), largest_picture_side));
+      throw InputError(message(NC_("core",
+                                   "the 3D view would have {} x {} pixels, and each side may have 1 to {}; "
+                                   "use a smaller --size, --scale or --dpi"),
+                               pixels.width(), pixels.height(), largest_picture_side));
     }
   }
   return pixels;

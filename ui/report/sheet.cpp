@@ -1,7 +1,5 @@
 #include "ui/report/sheet.h"
 
-#include <fmt/format.h>
-
 #include <QAbstractTextDocumentLayout>
 #include <QApplication>
 #include <QPainter>
@@ -16,8 +14,8 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "ui/charts/cause_strip.h"
-#include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
+#include "ui/language/in_language.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 #include "ui/paper/html_table.h"
@@ -262,11 +260,11 @@ class SheetPainter {
     const Run& run = input_.run().shown->run;
     const ModelInfo& model = run.setup.model->info();
     table.add({ReportWords::tr("Control model"), html_text(core_text(model.title))});
-    if (const std::string events = describe(run.summary.not_counted); !events.empty()) {
-      table.add({ReportWords::tr("Not in the cycle time"), html_text(composed_text(events))});
+    if (const Message events = describe(run.summary.not_counted); !events.empty()) {
+      table.add({ReportWords::tr("Not in the cycle time"), html_text(in_language(events))});
     }
     if (const auto mismatch = control_mismatch(run.setup.machine, program.dialect)) {
-      table.add({ReportWords::tr("Control"), html_text(composed_text(describe(*mismatch)))});
+      table.add({ReportWords::tr("Control"), html_text(in_language(describe(*mismatch)))});
     }
     return table.html();
   }
@@ -334,9 +332,10 @@ void paint_sheet(QPainter& painter, const QSizeF& size, const ReportInput& input
   const double shorter = std::min(size.width(), size.height());
   if (longer < min_sheet.width() || shorter < min_sheet.height()) {
     throw InputError(
-        fmt::format("a sheet of {:.0f} x {:.0f} units is too small; it needs at least {:.0f} on its longer "
-                    "and {:.0f} on its shorter side: use a larger --size or a smaller --scale",
-                    size.width(), size.height(), min_sheet.width(), min_sheet.height()));
+        message(NC_("core",
+                    "a sheet of {:.0f} x {:.0f} units is too small; it needs at least {:.0f} on its longer "
+                    "and {:.0f} on its shorter side: use a larger --size or a smaller --scale"),
+                size.width(), size.height(), min_sheet.width(), min_sheet.height()));
   }
   SheetPainter(painter, size, input, look).paint();
 }

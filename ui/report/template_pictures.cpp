@@ -32,14 +32,15 @@ QString type_of(const QByteArray& bytes) {
 QString picture_url(const QString& path) {
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly)) {
-    throw InputError(fmt::format("cannot be read: {}", file.errorString().toStdString()));
+    throw InputError(message(NC_("core", "cannot be read: {}"), file.errorString().toStdString()));
   }
   if (file.size() > largest_picture) {
-    throw InputError(fmt::format("has {} bytes, and a picture may have {}", file.size(), largest_picture));
+    throw InputError(
+        message(NC_("core", "has {} bytes, and a picture may have {}"), file.size(), largest_picture));
   }
   const QByteArray bytes = file.readAll();
   if (!InlinePicture::from_bytes(bytes)) {
-    throw InputError("is not a picture; PNG, JPEG, SVG and other formats of Qt are supported");
+    throw InputError(NC_("core", "is not a picture; PNG, JPEG, SVG and other formats of Qt are supported"));
   }
   return QStringLiteral("data:%1;base64,%2").arg(type_of(bytes), QString::fromLatin1(bytes.toBase64()));
 }
@@ -69,14 +70,15 @@ class PictureReader {
   }
 
  private:
-  [[noreturn]] void fail(const QString& source, const std::string& reason) const {
+  [[noreturn]] void fail(const QString& source, const Message& reason) const {
     const qsizetype line = text_.left(place_).count('\n') + 1;
-    throw InputError(fmt::format("{}:{}: '{}' {}", name_.toStdString(), line, source.toStdString(), reason));
+    throw InputError(at_place(fmt::format("{}:{}", name_.toStdString(), line),
+                              message(NC_("core", "'{}' {}"), source.toStdString(), reason)));
   }
 
   void check_link(const QString& tag) const {
     if (tag.contains(QStringLiteral("stylesheet"), Qt::CaseInsensitive)) {
-      fail(tag, "is an external style sheet; put its rules into <style>");
+      fail(tag, NC_("core", "is an external style sheet; put its rules into <style>"));
     }
   }
 
@@ -86,20 +88,22 @@ class PictureReader {
     }
     if (source.startsWith(QStringLiteral("data:"))) {
       if (!InlinePicture::from_url(source)) {
-        fail(source.left(40), "contains no picture; PNG, JPEG, SVG and other formats of Qt are supported");
+        fail(source.left(40),
+             NC_("core", "contains no picture; PNG, JPEG, SVG and other formats of Qt are supported"));
       }
       return source;
     }
     if (source.contains(QStringLiteral("://"))) {
-      fail(source, "is a URL; save the picture in the template's folder and give its file name");
+      fail(source, NC_("core", "is a URL; save the picture in the template's folder and give its file name"));
     }
     const QString path = QFileInfo(name_).absoluteDir().filePath(source);
     try {
       return picture_url(path);
     } catch (const InputError& error) {
       const bool found = QFileInfo::exists(path);
-      fail(source, found ? error.what()
-                         : fmt::format("{}; pictures are looked for in the template's folder", error.what()));
+      fail(source, found ? error.message()
+                         : message(NC_("core", "{}; pictures are looked for in the template's folder"),
+                                   error.message()));
     }
   }
 
@@ -118,7 +122,7 @@ QString inline_picture_url(const QString& file) {
   try {
     return picture_url(file);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("picture '{}' {}", file.toStdString(), error.what()));
+    throw InputError(message(NC_("core", "picture '{}' {}"), file.toStdString(), error.message()));
   }
 }
 

@@ -53,7 +53,7 @@ void hatch_refused(QPainter& painter, const QRectF& area) {
 std::vector<QString> cause_legend(const ComparisonBars& bars) {
   std::vector<QString> texts;
   for (const CauseKind kind : bars.kinds) {
-    texts.push_back(core_text(cause_title({kind, -1})));
+    texts.push_back(shown_cause({kind, -1}));
   }
   if (bars.rest) {
     texts.push_back(BarTexts::tr("other causes"));

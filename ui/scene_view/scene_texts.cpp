@@ -56,13 +56,13 @@ SceneTexts scene_texts() {
   texts.won = Scene::tr("gained").toStdString();
   texts.cause = Scene::tr("Limiting cause").toStdString();
   texts.quantity = [](const QuantityInfo& info) { return core_text(std::string(info.title)).toStdString(); };
-  texts.cause_kind = [](CauseKind kind) { return core_text(cause_title({kind, -1})).toStdString(); };
+  texts.cause_kind = [](CauseKind kind) { return shown_cause({kind, -1}).toStdString(); };
   texts.decimal_point = QLocale().decimalPoint().toStdString();
   return texts;
 }
 
 QString hover_text(const State& state, double contour_error) {
-  const QString cause = core_text(cause_title(state.cause));
+  const QString cause = shown_cause(state.cause);
   QStringList lines{
       Scene::tr("Line %1").arg(state.line),
       Scene::tr("Feed %1 of %2")

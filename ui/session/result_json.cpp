@@ -279,7 +279,7 @@ QJsonObject to_json(const IdentificationResult& result, const MachineLibrary& ma
                    {"stale", result.stale}};
   QJsonArray unfitted;
   for (const UnfittedModel& one : outcome.unfitted) {
-    unfitted.append(QJsonObject{{"title", as_text(one.title)}, {"reason", as_text(one.reason)}});
+    unfitted.append(QJsonObject{{"title", as_text(one.title)}, {"reason", as_text(one.reason.english())}});
   }
   if (!unfitted.isEmpty()) {
     json["unfitted"] = unfitted;
@@ -308,8 +308,8 @@ IdentificationResult read_result(const QJsonObject& json, const MachineLibrary& 
     throw input_error(whole + QStringLiteral(" has no \"models\" or no \"recordings\""));
   }
   for (const QJsonValue& one : json["unfitted"].toArray()) {
-    outcome->unfitted.push_back(
-        {one["title"].toString().toStdString(), one["reason"].toString().toStdString(), ""});
+    outcome->unfitted.push_back({one["title"].toString().toStdString(),
+                                 Message::as_written(one["reason"].toString().toStdString()), ""});
   }
   const std::size_t chosen = std::min(count_of(json["chosen"]), outcome->models.size() - 1);
   return {std::move(outcome), chosen, json["stale"].toBool()};

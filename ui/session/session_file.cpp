@@ -14,19 +14,21 @@ namespace {
 constexpr qint64 largest_file = 64LL << 20;  // bytes; a session of a thousand annotations is a few hundred KB
 
 /// "line 3, column 7" of an offset in a text.
-QString place_of(const QByteArray& text, qsizetype offset) {
+Message place_of(const QByteArray& text, qsizetype offset) {
   const QByteArray before = text.left(offset);
   const qsizetype line = before.count('\n') + 1;
-  return QStringLiteral("line %1, column %2").arg(line).arg(offset - before.lastIndexOf('\n'));
+  return message(NC_("core", "line {}, column {}"), line, offset - before.lastIndexOf('\n'));
 }
 
 QByteArray read_bytes(const QString& name) {
   QFile file(name);
   if (!file.open(QIODevice::ReadOnly)) {
-    throw input_error(QStringLiteral("cannot read session '%1': %2").arg(name, file.errorString()));
+    throw InputError(message(NC_("core", "cannot read session '{}': {}"), name.toStdString(),
+                             file.errorString().toStdString()));
   }
   if (file.size() > largest_file) {
-    throw input_error(QStringLiteral("'%1' is larger than 64 MiB and cannot be a session").arg(name));
+    throw InputError(
+        message(NC_("core", "'{}' is larger than 64 MiB and cannot be a session"), name.toStdString()));
   }
   return file.readAll();
 }
@@ -45,8 +47,8 @@ void write_session(const Session& session, const std::filesystem::path& file) {
   const QByteArray bytes = session_bytes(session, std::filesystem::absolute(file).parent_path());
   QSaveFile out(to_qstring(file));
   if (!out.open(QIODevice::WriteOnly) || out.write(bytes) != bytes.size() || !out.commit()) {
-    throw input_error(
-        QStringLiteral("cannot write session '%1': %2").arg(to_qstring(file), out.errorString()));
+    throw InputError(message(NC_("core", "cannot write session '{}': {}"), file.string(),
+                             out.errorString().toStdString()));
   }
 }
 
@@ -64,14 +66,14 @@ auto read_file(const std::filesystem::path& file, const Read& read) {
   QJsonParseError error;
   const QJsonDocument document = QJsonDocument::fromJson(bytes, &error);
   if (error.error != QJsonParseError::NoError) {
-    throw input_error(QStringLiteral("'%1' is not a session: %2 (%3)")
-                          .arg(name, error.errorString(), place_of(bytes, error.offset)));
+    throw InputError(message(NC_("core", "'{}' is not a session: {} ({})"), name.toStdString(),
+                             error.errorString().toStdString(), place_of(bytes, error.offset)));
   }
   try {
     return read(document.object());
   } catch (const InputError& reason) {
-    throw input_error(
-        QStringLiteral("cannot use session '%1': %2").arg(name, QString::fromUtf8(reason.what())));
+    throw InputError(
+        message(NC_("core", "cannot use session '{}': {}"), name.toStdString(), reason.message()));
   }
 }
 

@@ -161,19 +161,18 @@ Annotation read_annotation(const QJsonObject& json, const QString& place, QStrin
 
 void check_format(const QJsonObject& json) {
   if (json["format"] != QLatin1String(format_name)) {
-    throw input_error(
-        QStringLiteral("it is not a Feedscope session: its \"format\" is not \"%1\"").arg(format_name));
+    throw InputError(message(NC_("core", "it is not a Feedscope session: its \"format\" is not \"{}\""),
+                             std::string_view(format_name)));
   }
   const double version = json["version"].toDouble();
   if (version > session_version) {
-    throw input_error(
-        QStringLiteral("it is of version %1, written by a newer Feedscope; this one reads up to version %2")
-            .arg(version)
-            .arg(session_version));
+    throw InputError(message(
+        NC_("core", "it is of version {}, written by a newer Feedscope; this one reads up to version {}"),
+        version, session_version));
   }
   if (version != session_version) {
-    throw input_error(
-        QStringLiteral("its \"version\" is not a whole number from 1 to %1").arg(session_version));
+    throw InputError(
+        message(NC_("core", "its \"version\" is not a whole number from 1 to {}"), session_version));
   }
 }
 
@@ -276,7 +275,7 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
   const QJsonObject program = json["program"].toObject();
   note_unknown(program, {"file", "sha256"}, QStringLiteral("\"program\""), read.notes);
   if (program["file"].toString().isEmpty()) {
-    throw input_error(QStringLiteral("it names no program: \"program\" has no \"file\""));
+    throw InputError(NC_("core", "it names no program: \"program\" has no \"file\""));
   }
   session.program = (folder / to_path(program["file"].toString())).lexically_normal();
   session.program_hash = program["sha256"].toString().toLatin1();
@@ -288,7 +287,7 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
         read_run(run.toObject(), QStringLiteral("run %1").arg(++number), machines, read.notes));
   }
   if (session.runs.empty()) {
-    throw input_error(QStringLiteral("it has no runs: \"runs\" is empty or missing"));
+    throw InputError(NC_("core", "it has no runs: \"runs\" is empty or missing"));
   }
   session.current_run = static_cast<std::size_t>(
       std::clamp(json["current_run"].toInt(), 0, static_cast<int>(session.runs.size()) - 1));

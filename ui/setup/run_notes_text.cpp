@@ -9,8 +9,8 @@
 #include "core/analysis/notes/unadvised_tolerance.h"
 #include "core/analysis/notes/undetermined_limits.h"
 #include "core/analysis/run/control_dialect.h"
-#include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
+#include "ui/language/in_language.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/significant.h"
 #include "ui/language/texts.h"
@@ -57,20 +57,20 @@ QStringList run_note_texts(const Run& run) {
                                   "(%1); reload it to use those of the machine.")
                          .arg(QString::fromStdString(offsets)));
   }
-  for (const std::string& sentence : ignored_path_control(run.input, run.setup)) {
-    sentences.append(core_text(sentence));
+  for (const Message& sentence : ignored_path_control(run.input, run.setup)) {
+    sentences.append(in_language(sentence));
   }
   for (const char* const note : figure_notes(*run.input.toolpath, run.setup)) {
     sentences.append(core_text(note));
   }
   if (const std::vector<Diagnostic>& refused = run.input.lines_not_run; !refused.empty()) {
-    sentences.append(RunNotes::tr("Lines that the control refuses are not run: %1.")
-                         .arg(QString::fromStdString(line_list(refused))));
+    sentences.append(
+        RunNotes::tr("Lines that the control refuses are not run: %1.").arg(in_language(line_list(refused))));
   }
   if (const std::vector<Diagnostic>& faults = run.input.toolpath->machine_faults; !faults.empty()) {
     sentences.append(RunNotes::tr("Rotary axes: line %1: %2.")
                          .arg(most_severe(faults).line)
-                         .arg(composed_text(most_severe(faults).message)));
+                         .arg(in_language(most_severe(faults).message)));
   }
   if (const auto unadvised = unadvised_tolerance(run.input.chord_error,
                                                  tolerance_in_force(run.input.feed_controls, run.setup))) {

@@ -13,7 +13,7 @@
 #include "ui/fields/choice_delegate.h"
 #include "ui/fields/number_text.h"
 #include "ui/language/core_texts.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 

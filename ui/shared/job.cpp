@@ -5,7 +5,7 @@
 #include <new>
 
 #include "core/base/happens_before.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 
 namespace feedscope::ui {
 namespace {

@@ -80,7 +80,7 @@ QString SlowPlacesModel::text(const SlowPlace& place, int column) const {
     case feed:
       return tr("%1 of %2").arg(feed_text(place.feed), feed_text(place.programmed_feed));
     default:
-      return core_text(cause_title(place.cause));
+      return shown_cause(place.cause);
   }
 }
 
@@ -90,7 +90,7 @@ QString SlowPlacesModel::tip(const SlowPlace& place) const {
             "due to: %6.")
       .arg(locale.toString(place.from, 'f', 4), locale.toString(place.to, 'f', 4),
            locale.toString(place.slowest, 'f', 4), QString::number(place.line),
-           locale.toString(place.loss, 'f', 4), core_text(cause_title(place.cause)));
+           locale.toString(place.loss, 'f', 4), shown_cause(place.cause));
 }
 
 QVariant SlowPlacesModel::data(const QModelIndex& index, int role) const {

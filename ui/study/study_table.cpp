@@ -16,7 +16,7 @@ QString main_cause_text(const Summary& summary) {
   return causes.empty()
              ? QString()
              : StudyTable::tr("%1 % %2").arg(QLocale().toString(100 * causes.front().share, 'f', 0),
-                                             core_text(cause_title(causes.front().cause)));
+                                             shown_cause(causes.front().cause));
 }
 
 void StudyTable::set_study(std::shared_ptr<const Study> study) {

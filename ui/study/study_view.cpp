@@ -27,7 +27,7 @@
 #include "ui/fields/number_box.h"
 #include "ui/fields/whole_number_box.h"
 #include "ui/language/core_texts.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 #include "ui/shared/panel_action.h"

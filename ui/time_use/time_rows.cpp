@@ -125,7 +125,7 @@ class TimeRows {
       row.time = operation.start;
       row.tip = tr("From line %1; %2 of it rapids. It loses most to: %3.")
                     .arg(QString::number(operation.line), clock_text(operation.rapid),
-                         core_text(cause_title(operation.worst.cause)));
+                         shown_cause(operation.worst.cause));
       section.rows.push_back(std::move(row));
     }
     return section;

@@ -15,7 +15,7 @@
 #include "core/analysis/time/ruled_instant.h"
 #include "core/base/error.h"
 #include "ui/fields/focus_outline.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/language/time_texts.h"
 #include "ui/shared/flow_layout.h"
 #include "ui/shared/panel_action.h"

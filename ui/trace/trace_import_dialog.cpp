@@ -16,7 +16,7 @@
 #include "core/trace/read_trace.h"
 #include "core/trace/table_columns.h"
 #include "core/trace/trace_text.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/shared/paths.h"
 #include "ui/trace/trace_import_fields.h"

@@ -21,7 +21,7 @@
 #include "core/export/trace.h"
 #include "core/trace/guess_trace.h"
 #include "ui/fields/focus_outline.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/paths.h"
 #include "ui/shared/row_copy.h"
@@ -165,7 +165,7 @@ void TraceView::open(const std::filesystem::path& file) {
   emit attention_wanted();
   const GuessedTrace guessed = guess_trace(file);
   if (guessed.guess == TraceGuess::columns_wanted) {
-    ask_for_columns(file, failure_text(guessed.problem));
+    ask_for_columns(file, in_language(guessed.problem));
     return;
   }
   workbench_.traces().add(file);

@@ -178,7 +178,7 @@ QString WhyText::speed(double value) {
 }
 
 QString WhyText::cause(Cause cause) {
-  QString title = core_text(cause_title(cause));
+  QString title = shown_cause(cause);
   return title.replace(0, 1, title.left(1).toUpper());
 }
 

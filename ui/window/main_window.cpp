@@ -24,7 +24,6 @@
 #include "ui/contour/contour_view.h"
 #include "ui/decide/decide_view.h"
 #include "ui/identification/identification_view.h"
-#include "ui/language/composed_text.h"
 #include "ui/language/language.h"
 #include "ui/lessons/lesson_view.h"
 #include "ui/load/load_view.h"
@@ -316,7 +315,7 @@ void MainWindow::make_status() {
   connect(this, &MainWindow::cancel_wanted, &workbench_.time_findings(), &TimeFindings::cancel);
   connect(this, &MainWindow::cancel_wanted, versions_, &VersionsView::cancel);
   connect(this, &MainWindow::cancel_wanted, identification_, &IdentificationView::cancel);
-  const auto say = [this](const QString& message) { statusBar()->showMessage(composed_text(message)); };
+  const auto say = [this](const QString& message) { statusBar()->showMessage(message); };
   connect(charts_, &ChartsPanel::exported, this, say);
   connect(file_menu_, &FileMenu::done, this, say);
   connect(file_menu_, &FileMenu::failed, this, &MainWindow::show_failure);

@@ -13,7 +13,7 @@
 #include "ui/charts/charts_panel.h"
 #include "ui/circular/circular_view.h"
 #include "ui/identification/identification_view.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/lessons/lesson_view.h"
 #include "ui/load/load_view.h"
 #include "ui/program_text/program_panel.h"

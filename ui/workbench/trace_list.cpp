@@ -9,7 +9,7 @@
 #include "core/analysis/agreement/servo_period.h"
 #include "core/base/error.h"
 #include "core/trace/read_trace.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/shared/paths.h"
 #include "ui/workbench/run_list.h"
 

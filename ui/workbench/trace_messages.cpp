@@ -4,7 +4,7 @@
 #include <QRegularExpression>
 #include <algorithm>
 
-#include "ui/language/composed_text.h"
+#include "ui/language/in_language.h"
 
 namespace feedscope::ui {
 
@@ -25,9 +25,9 @@ QString without_columns_option(QString text, const QString& instead) {
 }
 
 QString message_text(const Diagnostic& message) {
-  const auto sentence = [](const std::string& text) {
+  const auto sentence = [](const Message& text) {
     QString said = without_columns_option(
-        composed_text(text), QCoreApplication::translate("TraceMessages", " (Trace import options)"));
+        in_language(text), QCoreApplication::translate("TraceMessages", " (Trace import options)"));
     if (!said.isEmpty()) {
       said[0] = said[0].toUpper();
       said += '.';

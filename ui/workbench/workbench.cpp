@@ -9,7 +9,7 @@
 #include "core/analysis/run/control_dialect.h"
 #include "core/base/error.h"
 #include "core/machine/contour_tolerance.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/shared/paths.h"
 #include "ui/workbench/own_machines.h"
 

@@ -1,7 +1,5 @@
 #include "core/analysis/agreement/agreement.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -206,13 +204,13 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
   if (trace.law.empty()) {
     const auto likeness = std::ranges::find_if(trace.remarks, says_likeness);
     if (likeness != trace.remarks.end()) {
-      throw InputError(fmt::format("as it is, the trace is nowhere on this program: {}; {}",
-                                   likeness->message, likeness->hint));
+      throw InputError(message(NC_("core", "as it is, the trace is nowhere on this program: {}; {}"),
+                               likeness->message, likeness->hint));
     }
-    throw InputError(fmt::format(
-        "the trace is nowhere within {:.3g} mm of the path of the program; it is of another program, "
-        "or its zero point is another",
-        trace.tolerance));
+    throw InputError(message(NC_("core",
+                                 "the trace is nowhere within {:.3g} mm of the path of the program; it is of "
+                                 "another program, or its zero point is another"),
+                             trace.tolerance));
   }
   const double period =
       trace.record.time.back() / static_cast<double>(std::max<std::size_t>(1, trace.record.time.size() - 1));
@@ -222,13 +220,13 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
       match_record(course, simulated_record, {trace.tolerance, trace.noise}, 0, progress);
   const TimeLaw simulated(simulated_record.time, simulated_match);
   if (simulated.empty()) {
-    throw InputError(
-        "the run does not follow the path of the program within the tolerance of the comparison");
+    throw InputError(NC_(
+        "core", "the run does not follow the path of the program within the tolerance of the comparison"));
   }
   const double margin = std::max(begun_motion, 4 * trace.noise);
   const Compared part = compared_part(trace, simulated, margin);
   if (!(part.to > part.from)) {
-    throw InputError("trace and run have no part of the path in common");
+    throw InputError(NC_("core", "trace and run have no part of the path in common"));
   }
   Agreement agreement;
   agreement.rate = trace.rate;

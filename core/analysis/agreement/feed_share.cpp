@@ -1,7 +1,5 @@
 #include "core/analysis/agreement/feed_share.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -90,48 +88,55 @@ bool has_milliseconds(double ratio) {
   return std::abs(ratio / thousandth - 1) < 0.1;
 }
 
-constexpr const char* unit_hint =
-    "its times are in milliseconds: give their column the unit, as --columns time=1:ms";
+constexpr Translatable unit_hint =
+    NC_("core", "its times are in milliseconds: give their column the unit, as --columns time=1:ms");
 
 Diagnostic feed_remark(double share, const TraceOnProgram& trace) {
   const bool is_rate = trace.rate.clock != TraceClock::times && share > 1;
-  return {.severity = Severity::warning,
-          .line = 0,
-          .column = 0,
-          .code = is_rate ? rate_code : "trace-override",
-          .message = is_rate
-                         ? fmt::format("the trace runs at {:.3g} % of the programmed feed: its sampling rate "
-                                       "is wrong, or a feed override was set",
-                                       100 * share)
-                         : fmt::format("where the simulation runs at the programmed feed, the trace runs at "
-                                       "{:.3g} % of it",
-                                       100 * share),
-          .hint = is_rate ? fmt::format("give the right rate, at most {0:.0f} samples a second, as --columns "
-                                        "linuxcnc,rate={0:.0f}; or set the feed override of the simulation",
-                                        1 / (trace.rate.period * share))
-                  : has_milliseconds(share)
-                      ? unit_hint
-                      : "a feed override, or times of another rate: set the feed override of the simulation "
-                        "to it, or "
-                        "give the right rate; else limits that are found from the trace are those of the "
-                        "override"};
+  return {
+      .severity = Severity::warning,
+      .line = 0,
+      .column = 0,
+      .code = is_rate ? rate_code : "trace-override",
+      .message =
+          is_rate
+              ? message(NC_("core",
+                            "the trace runs at {:.3g} % of the programmed feed: its sampling rate is wrong, "
+                            "or a feed override was set"),
+                        100 * share)
+              : message(
+                    NC_("core",
+                        "where the simulation runs at the programmed feed, the trace runs at {:.3g} % of it"),
+                    100 * share),
+      .hint = is_rate ? message(NC_("core",
+                                    "give the right rate, at most {0:.0f} samples a second, as --columns "
+                                    "linuxcnc,rate={0:.0f}; or set the feed override of the simulation"),
+                                1 / (trace.rate.period * share))
+              : has_milliseconds(share)
+                  ? unit_hint
+                  : NC_("core",
+                        "a feed override, or times of another rate: set the feed override of the simulation "
+                        "to it, or give the right rate; else limits that are found from the trace are those "
+                        "of the override")};
 }
 
-/// `message`: shows that the trace runs `ratio` times as fast as the motion did.
-Diagnostic rate_remark(double ratio, std::string message, const TraceOnProgram& trace) {
-  return {.severity = Severity::warning,
-          .line = 0,
-          .column = 0,
-          .code = rate_code,
-          .message = std::move(message),
-          .hint = has_milliseconds(ratio) ? unit_hint
-                  : trace.rate.clock == TraceClock::times
-                      ? "give the right rate or unit of its times; else limits that are found from the trace "
-                        "are wrong"
-                      : fmt::format("give the right rate, {0:.0f} samples a second, as --columns "
-                                    "linuxcnc,rate={0:.0f}; else limits that "
-                                    "are found from the trace are wrong",
-                                    1 / (trace.rate.period * ratio))};
+/// `what`: shows that the trace runs `ratio` times as fast as the motion did.
+Diagnostic rate_remark(double ratio, Message what, const TraceOnProgram& trace) {
+  return {
+      .severity = Severity::warning,
+      .line = 0,
+      .column = 0,
+      .code = rate_code,
+      .message = std::move(what),
+      .hint = has_milliseconds(ratio) ? unit_hint
+              : trace.rate.clock == TraceClock::times
+                  ? NC_("core",
+                        "give the right rate or unit of its times; else limits that are found from the trace "
+                        "are wrong")
+                  : message(NC_("core",
+                                "give the right rate, {0:.0f} samples a second, as --columns "
+                                "linuxcnc,rate={0:.0f}; else limits that are found from the trace are wrong"),
+                            1 / (trace.rate.period * ratio))};
 }
 
 }  // namespace
@@ -217,15 +222,17 @@ void add_feed_remark(TraceOnProgram& trace, const Agreement& agreement, const Pr
   };
   if (const std::optional<double> pace = pace_ratio(agreement)) {
     insert(rate_remark(*pace,
-                       fmt::format("the trace runs at {:.3g} % of the simulated feed at even speed and where "
-                                   "the machine speeds up or slows down: its sampling rate is wrong",
-                                   100 * *pace),
+                       message(NC_("core",
+                                   "the trace runs at {:.3g} % of the simulated feed at even speed and where "
+                                   "the machine speeds up or slows down: its sampling rate is wrong"),
+                               100 * *pace),
                        trace));
   } else if (const auto ratio = dwell_ratio(trace.law, agreement.simulated, course, toolpath)) {
     insert(rate_remark(*ratio,
-                       fmt::format("the trace stands still for {:.3g} % of the time of the dwells of the "
-                                   "program: its sampling rate is wrong",
-                                   100 / *ratio),
+                       message(NC_("core",
+                                   "the trace stands still for {:.3g} % of the time of the dwells of the "
+                                   "program: its sampling rate is wrong"),
+                               100 / *ratio),
                        trace));
   } else if (const std::optional<double> share = feed_share(agreement, course, toolpath)) {
     insert(feed_remark(*share, trace));

@@ -1,7 +1,5 @@
 #include "core/analysis/agreement/held_stretches.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace feedscope {
@@ -13,15 +11,17 @@ constexpr double around_hold =
 constexpr double still_way = 0.01;  // [mm]: less motion counts as standstill
 
 /// Remark that a trace stops there; `hint`: consequence of that.
-Diagnostic held_note(const HeldStretch& held, const ProgrammedCourse& course, const char* hint) {
-  return {.severity = Severity::warning,
-          .line = 0,
-          .column = 0,
-          .code = "trace-held",
-          .message = fmt::format(
-              "the trace stands still for {:.3g} s from {:.4g} s on at line {}, where the program does not",
-              held.held, held.from, course.line_at((held.from_s + held.to_s) / 2)),
-          .hint = hint};
+Diagnostic held_note(const HeldStretch& held, const ProgrammedCourse& course, const Message& hint) {
+  return {
+      .severity = Severity::warning,
+      .line = 0,
+      .column = 0,
+      .code = "trace-held",
+      .message = message(
+          NC_("core",
+              "the trace stands still for {:.3g} s from {:.4g} s on at line {}, where the program does not"),
+          held.held, held.from, course.line_at((held.from_s + held.to_s) / 2)),
+      .hint = hint};
 }
 
 }  // namespace
@@ -56,11 +56,12 @@ std::vector<HeldStretch> held_stretches(const TimeLaw& trace, const TimeLaw& run
 void add_held_remarks(TraceOnProgram& trace, const ProgrammedCourse& course, const TimeLaw& run) {
   add_held_notes(
       trace.remarks, held_stretches(trace.law, run, trace.noise), course,
-      "a feed hold, or a stop that the simulation does not know; its time is in that of the trace");
+      NC_("core",
+          "a feed hold, or a stop that the simulation does not know; its time is in that of the trace"));
 }
 
 void add_held_notes(std::vector<Diagnostic>& remarks, const std::vector<HeldStretch>& held,
-                    const ProgrammedCourse& course, const char* hint) {
+                    const ProgrammedCourse& course, const Message& hint) {
   constexpr std::size_t most_listed = 5;
   double unlisted = 0;
   for (std::size_t i = 0; i < held.size(); ++i) {
@@ -71,13 +72,14 @@ void add_held_notes(std::vector<Diagnostic>& remarks, const std::vector<HeldStre
     }
   }
   if (held.size() > most_listed) {
-    remarks.push_back({.severity = Severity::warning,
-                       .line = 0,
-                       .column = 0,
-                       .code = "trace-held",
-                       .message = fmt::format("the trace stands still in {} more places, for {:.3g} s in all",
-                                              held.size() - most_listed, unlisted),
-                       .hint = hint});
+    remarks.push_back(
+        {.severity = Severity::warning,
+         .line = 0,
+         .column = 0,
+         .code = "trace-held",
+         .message = message(NC_("core", "the trace stands still in {} more places, for {:.3g} s in all"),
+                            held.size() - most_listed, unlisted),
+         .hint = hint});
   }
 }
 

@@ -27,6 +27,6 @@ void add_held_remarks(TraceOnProgram& trace, const ProgrammedCourse& course, con
 
 /// Names the first few stops and the number of the others; `hint`: consequence of that.
 void add_held_notes(std::vector<Diagnostic>& remarks, const std::vector<HeldStretch>& held,
-                    const ProgrammedCourse& course, const char* hint);
+                    const ProgrammedCourse& course, const Message& hint);
 
 }  // namespace feedscope

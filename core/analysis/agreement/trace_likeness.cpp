@@ -1,7 +1,5 @@
 #include "core/analysis/agreement/trace_likeness.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -118,12 +116,12 @@ class LikenessSearch {
   std::optional<Likeness> best_;
 };
 
-Diagnostic remark(std::string code, std::string message, std::string hint) {
+Diagnostic remark(std::string code, Message what, Message hint) {
   return {.severity = Severity::warning,
           .line = 0,
           .column = 0,
           .code = std::move(code),
-          .message = std::move(message),
+          .message = std::move(what),
           .hint = std::move(hint)};
 }
 
@@ -139,36 +137,42 @@ std::vector<Diagnostic> likeness_remarks(const ProgrammedCourse& course, const M
     const auto name = [&](std::size_t axis) {
       return coordinate_names[static_cast<std::size_t>(found->order[axis])];
     };
-    remarks.push_back(remark("trace-columns",
-                             fmt::format("the trace fits this program with its axes in another order: its {} "
-                                         "as X, its {} as Y, its {} as Z",
-                                         name(0), name(1), name(2)),
-                             "name the columns in this order; for X and Y exchanged, as --columns "
-                             "time=1,x=3,y=2,z=4"));
-  }
-  if (found->scale != 1) {
-    const char* unit = found->scale == 1e3    ? "um"
-                       : found->scale == 1e-3 ? "m"
-                       : found->scale > 1     ? "mm"
-                                              : "in";
     remarks.push_back(remark(
         "trace-columns",
-        fmt::format("the trace has the shape of this program, {:.4g} times as large", found->scale),
-        fmt::format("give each of its axes the unit, as --columns time=1,x=2:{0},y=3:{0},z=4:{0}", unit)));
+        message(NC_("core",
+                    "the trace fits this program with its axes in another order: its {} as X, its {} as Y, "
+                    "its {} as Z"),
+                name(0), name(1), name(2)),
+        NC_("core",
+            "name the columns in this order; for X and Y exchanged, as --columns time=1,x=3,y=2,z=4")));
+  }
+  if (found->scale != 1) {
+    const std::string_view unit = found->scale == 1e3    ? "um"
+                                  : found->scale == 1e-3 ? "m"
+                                  : found->scale > 1     ? "mm"
+                                                         : "in";
+    remarks.push_back(remark(
+        "trace-columns",
+        message(NC_("core", "the trace has the shape of this program, {:.4g} times as large"), found->scale),
+        message(NC_("core", "give each of its axes the unit, as --columns time=1,x=2:{0},y=3:{0},z=4:{0}"),
+                unit)));
   }
   for (int axis = 0; axis < 3; ++axis) {
     if (found->mirror[axis] < 0) {
-      remarks.push_back(remark("trace-columns",
-                               fmt::format("the trace fits this program with {} in the other direction",
-                                           coordinate_names[static_cast<std::size_t>(axis)]),
-                               "give its column a minus sign, as --columns time=1,x=2:-mm"));
+      remarks.push_back(
+          remark("trace-columns",
+                 message(NC_("core", "the trace fits this program with {} in the other direction"),
+                         coordinate_names[static_cast<std::size_t>(axis)]),
+                 NC_("core", "give its column a minus sign, as --columns time=1,x=2:-mm")));
     }
   }
   if (found->backwards) {
-    remarks.push_back(remark("trace-backwards",
-                             "the trace runs along the path of this program from its end to its start",
-                             "simulate the program that was recorded, with its blocks in the order that the "
-                             "control ran them in"));
+    remarks.push_back(
+        remark("trace-backwards",
+               NC_("core", "the trace runs along the path of this program from its end to its start"),
+               NC_("core",
+                   "simulate the program that was recorded, with its blocks in the order that the control "
+                   "ran them in")));
   }
   return remarks;
 }

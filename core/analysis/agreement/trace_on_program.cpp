@@ -302,13 +302,15 @@ TraceOnProgram find_on_program(const Trace& trace, const ProgrammedCourse& cours
   }
   found.remarks = remarks_on(found, trace, course);
   if (!trace.line.empty() && guides.front() == nullptr && found.belongs()) {
-    found.remarks.push_back({.severity = Severity::info,
-                             .line = 0,
-                             .column = 0,
-                             .code = "trace-lines",
-                             .message = "the program lines of the trace are not those of this program; it is "
-                                        "matched by position alone",
-                             .hint = "record the line of the file, or number its blocks"});
+    found.remarks.push_back(
+        {.severity = Severity::info,
+         .line = 0,
+         .column = 0,
+         .code = "trace-lines",
+         .message = NC_(
+             "core",
+             "the program lines of the trace are not those of this program; it is matched by position alone"),
+         .hint = NC_("core", "record the line of the file, or number its blocks")});
   }
   return found;
 }

@@ -1,7 +1,5 @@
 #include "core/analysis/circularity/program_circles.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace feedscope {
@@ -64,10 +62,6 @@ CircularTest test_of(const FullCircle& circle, bool actual) {
   return test;
 }
 
-std::string counted(std::size_t count, const char* one, const char* several) {
-  return count == 1 ? std::string("1 ") + one : fmt::format("{} {}", count, several);
-}
-
 }  // namespace
 
 ProgramCircles program_circles(const Run& run, Progress* progress) {
@@ -100,24 +94,28 @@ ProgramCircles program_circles(const Run& run, Progress* progress) {
   return result;
 }
 
-std::vector<std::string> program_circle_notes(const ProgramCircles& circles) {
-  std::vector<std::string> notes;
+std::vector<Message> program_circle_notes(const ProgramCircles& circles) {
+  std::vector<Message> notes;
   if (circles.found == 0) {
-    notes.push_back(
-        "The program has no full circle: no cut runs a whole turn in XY, ZX or YZ by arcs about one centre. "
-        "Circles of short lines are not recognised.");
+    notes.push_back(NC_("core",
+                        "The program has no full circle: no cut runs a whole turn in XY, ZX or YZ by arcs "
+                        "about one centre. Circles of short lines are not recognised."));
   }
   if (circles.evaluated < circles.found) {
-    notes.push_back(fmt::format("The program has {} full circles; the first {} are evaluated.", circles.found,
-                                circles.evaluated));
+    notes.push_back(message(NC_("core", "The program has {} full circles; the first {} are evaluated."),
+                            circles.found, circles.evaluated));
   }
   if (circles.helices > 0) {
-    notes.push_back(
-        fmt::format("Not evaluated: {} with full turns.", counted(circles.helices, "helix", "helices")));
+    notes.push_back(circles.helices == 1 ? NC_("core", "Not evaluated: 1 helix with full turns.")
+                                         : message(NC_("core", "Not evaluated: {} helices with full turns."),
+                                                   circles.helices));
   }
   if (circles.tilted > 0) {
-    notes.push_back(fmt::format("Not evaluated: {} outside the planes XY, ZX and YZ.",
-                                counted(circles.tilted, "full circle", "full circles")));
+    notes.push_back(
+        circles.tilted == 1
+            ? NC_("core", "Not evaluated: 1 full circle outside the planes XY, ZX and YZ.")
+            : message(NC_("core", "Not evaluated: {} full circles outside the planes XY, ZX and YZ."),
+                      circles.tilted));
   }
   return notes;
 }

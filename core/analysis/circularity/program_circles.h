@@ -31,6 +31,6 @@ ProgramCircles program_circles(const Run& run, Progress* progress = nullptr);
 
 /// Parts of the program that are not evaluated, with the reason, or that it has no full circle; one sentence
 /// each, in English.
-std::vector<std::string> program_circle_notes(const ProgramCircles& circles);
+std::vector<Message> program_circle_notes(const ProgramCircles& circles);
 
 }  // namespace feedscope

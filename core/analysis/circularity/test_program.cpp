@@ -20,22 +20,24 @@ void check(const CircularRequest& request) {
   constexpr double full_turn = 360;
   constexpr double rounding = 1e-9;
   if (!(request.radius >= 1e-3 && request.radius <= largest_radius)) {
-    throw InputError(
-        fmt::format("radius = {} mm is out of bounds; it must be at least 0.001 mm and at most {} mm",
-                    request.radius, largest_radius));
+    throw InputError(message(
+        NC_("core", "radius = {} mm is out of bounds; it must be at least 0.001 mm and at most {} mm"),
+        request.radius, largest_radius));
   }
   if (!(request.feed > 0)) {
-    throw InputError(fmt::format("feed = {} mm/min is out of bounds; it must be above 0 mm/min",
-                                 units::to_mm_min(request.feed)));
+    throw InputError(message(NC_("core", "feed = {} mm/min is out of bounds; it must be above 0 mm/min"),
+                             units::to_mm_min(request.feed)));
   }
   if (!(request.sweep > 0 && units::to_deg(request.sweep) <= full_turn + rounding)) {
-    throw InputError(fmt::format("sweep = {} degrees is out of bounds; it must be above 0 and at most 360",
-                                 units::to_deg(request.sweep)));
+    throw InputError(
+        message(NC_("core", "sweep = {} degrees is out of bounds; it must be above 0 and at most 360"),
+                units::to_deg(request.sweep)));
   }
   if (!(request.entry_radius >= 0 && request.entry_radius <= request.radius)) {
-    throw InputError(fmt::format(
-        "entry radius = {} mm is out of bounds; it must be at least 0 mm and at most the radius of {} mm",
-        request.entry_radius, request.radius));
+    throw InputError(message(NC_("core",
+                                 "entry radius = {} mm is out of bounds; it must be at least 0 mm and at "
+                                 "most the radius of {} mm"),
+                             request.entry_radius, request.radius));
   }
 }
 

@@ -1,7 +1,5 @@
 #include "core/analysis/contour/chord_error.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -86,9 +84,10 @@ class ChordWalk {
   double before_last_ = 0;  ///< length of the chord before that corner [mm]
 };
 
-std::string advice(const ChordError& error) {
-  return fmt::format(
-      "Heidenhain advises a contour tolerance of 110 to 200 % of the chord error: {:.2g} to {:.2g} mm",
+Message advice(const ChordError& error) {
+  return message(
+      NC_("core",
+          "Heidenhain advises a contour tolerance of 110 to 200 % of the chord error: {:.2g} to {:.2g} mm"),
       least_advised_tolerance * error.value, largest_advised_tolerance * error.value);
 }
 
@@ -121,10 +120,11 @@ Diagnostic chord_error_message(const ChordError& error, const std::vector<PathCo
           0,
           0,
           "chord-error",
-          fmt::format("short lines lie about {:.2g} mm from the curve that they stand for: chord error, "
-                      "estimated from {} lines",
-                      error.value, error.chords),
-          all_advised ? "" : advice(error)};
+          message(NC_("core",
+                      "short lines lie about {:.2g} mm from the curve that they stand for: chord error, "
+                      "estimated from {} lines"),
+                  error.value, error.chords),
+          all_advised ? Message() : advice(error)};
 }
 
 }  // namespace feedscope

@@ -4,8 +4,6 @@
 #include <array>
 #include <string_view>
 
-#include "core/base/translatable.h"
-
 namespace feedscope {
 
 namespace {
@@ -21,50 +19,47 @@ struct Asked {
 };
 
 struct Rule {
-  const char* sentence;
+  Translatable sentence;
   bool (*is_ignored)(const Asked& asked);
 };
 
 constexpr auto rules = std::to_array<Rule>({
-    {QT_TRANSLATE_NOOP(
-         "core", "Tolerances and blend distances of the program are not used: the model has no blends."),
+    {NC_("core", "Tolerances and blend distances of the program are not used: the model has no blends."),
      [](const Asked& a) {
        return (a.control.contour_tolerance || a.control.blend_distance) && !contour_tolerance(a.setup) &&
               !a.promised.own_tolerances;
      }},
-    {QT_TRANSLATE_NOOP("core",
-                       "Compaction requested by the program is not simulated: short blocks are not joined."),
+    {NC_("core", "Compaction requested by the program is not simulated: short blocks are not joined."),
      [](const Asked& a) {
        const bool everywhere =
            a.setup.settings.has("compressor") && a.setup.settings.text("compressor") == "on";
        const bool smooths = a.promised.smooths && (everywhere || a.control.compressor == Switch::on);
        return a.control.compaction == Switch::on && !smooths && !a.promised.follows_compaction;
      }},
-    {QT_TRANSLATE_NOOP("core",
-                       "BRISK of the program is not simulated: the jerk along the path stays limited."),
+    {NC_("core", "BRISK of the program is not simulated: the jerk along the path stays limited."),
      [](const Asked& a) {
        return a.control.acceleration == AccelerationMode::brisk && a.has_ramps() && !a.promised.follows_brisk;
      }},
-    {QT_TRANSLATE_NOOP("core",
-                       "DRIVE of the program is simulated as SOFT: the speed above which it reduces the "
-                       "acceleration is in the machine data of the control."),
+    {NC_("core",
+         "DRIVE of the program is simulated as SOFT: the speed above which it reduces the acceleration is in "
+         "the machine data of the control."),
      [](const Asked& a) { return a.control.acceleration == AccelerationMode::drive && a.has_ramps(); }},
-    {QT_TRANSLATE_NOOP("core",
-                       "Feed-forward switched off by the program is not simulated: the axes are assumed to "
-                       "follow without lag."),
+    {NC_("core",
+         "Feed-forward switched off by the program is not simulated: the axes are assumed to follow without "
+         "lag."),
      [](const Asked& a) { return a.control.feed_forward == Switch::off; }},
-    {QT_TRANSLATE_NOOP("core", "Look-ahead switched off by the program is not simulated."),
+    {NC_("core", "Look-ahead switched off by the program is not simulated."),
      [](const Asked& a) { return a.control.look_ahead == Switch::off && a.has_ramps(); }},
 });
 
 /// Times of splines as arcs over those on the curves of continuous curvature that they approximate: 2 to 2.4.
-constexpr const char* curves_as_arcs = QT_TRANSLATE_NOOP(
+constexpr Translatable curves_as_arcs = NC_(
     "core",
     "Curves of the program are simulated as tangent arcs: where the curvature jumps, a control that limits "
     "the jerk slows down, and the time shown is up to 2.4 times that on the curve itself.");
 
 /// Accelerations, jerks and filters selected by a number.
-constexpr const char* machining_modes = QT_TRANSLATE_NOOP(
+constexpr Translatable machining_modes = NC_(
     "core",
     "The machining mode of the program (type of CYCLE832, HSC-MODE, P of G187, R of G5.1) changes nothing: "
     "what it selects exists only in the control. Compare modes by acceleration and jerk of the machine.");
@@ -76,8 +71,8 @@ bool is_said(const LoadedProgram& program, std::string_view code) {
 
 }  // namespace
 
-std::vector<std::string> ignored_path_control(const LoadedProgram& program, const Setup& setup) {
-  std::vector<std::string> sentences = ignored_path_control(*program.toolpath, setup);
+std::vector<Message> ignored_path_control(const LoadedProgram& program, const Setup& setup) {
+  std::vector<Message> sentences = ignored_path_control(*program.toolpath, setup);
   const Guarantees promised = setup.model->guarantees(setup.settings);
   const bool has_ramps = promised.continuity != Continuity::position;
   const bool limits_jerk = has_ramps && !setup.model->info().limits.jumps_in_corners;
@@ -90,9 +85,9 @@ std::vector<std::string> ignored_path_control(const LoadedProgram& program, cons
   return sentences;
 }
 
-std::vector<std::string> ignored_path_control(const Toolpath& toolpath, const Setup& setup) {
+std::vector<Message> ignored_path_control(const Toolpath& toolpath, const Setup& setup) {
   const Guarantees promised = setup.model->guarantees(setup.settings);
-  std::vector<std::string> sentences;
+  std::vector<Message> sentences;
   for (const Rule& rule : rules) {
     const bool applies = std::any_of(toolpath.path_controls.begin(), toolpath.path_controls.end(),
                                      [&](const PathControl& control) {
@@ -102,16 +97,6 @@ std::vector<std::string> ignored_path_control(const Toolpath& toolpath, const Se
       sentences.emplace_back(rule.sentence);
     }
   }
-  return sentences;
-}
-
-std::vector<std::string> all_ignored_path_control() {
-  std::vector<std::string> sentences;
-  for (const Rule& rule : rules) {
-    sentences.emplace_back(rule.sentence);
-  }
-  sentences.emplace_back(curves_as_arcs);
-  sentences.emplace_back(machining_modes);
   return sentences;
 }
 

@@ -13,25 +13,53 @@ namespace {
 struct Kind {
   std::size_t NotCounted::*count;
   std::string_view key;
-  std::string_view one;
-  std::string_view several;
+  Message (*text)(std::size_t count);
   std::string_view settings;
 };
 
 constexpr std::array kinds{
-    Kind{&NotCounted::tool_changes, "tool_change", "tool change", "tool changes", "tool_change_time_s"},
-    Kind{&NotCounted::spindle_starts, "spindle_start", "spindle start", "spindle starts",
+    Kind{&NotCounted::tool_changes, "tool_change",
+         [](std::size_t count) {
+           return count == 1 ? message(NC_("core", "{} tool change"), count)
+                             : message(NC_("core", "{} tool changes"), count);
+         },
+         "tool_change_time_s"},
+    Kind{&NotCounted::spindle_starts, "spindle_start",
+         [](std::size_t count) {
+           return count == 1 ? message(NC_("core", "{} spindle start"), count)
+                             : message(NC_("core", "{} spindle starts"), count);
+         },
          "spindle_start_time_s"},
-    Kind{&NotCounted::stops, "stop", "program stop (M0, M1)", "program stops (M0, M1)", ""},
-    Kind{&NotCounted::machine_moves, "machine_move", "move to or from a machine position",
-         "moves to or from machine positions", "home_x_mm tool_change_x_mm part_zero_x_mm"},
-    Kind{&NotCounted::plane_turns, "plane_turn", "turn of rotary axes for a tilted plane",
-         "turns of rotary axes for tilted planes", ""},
+    Kind{&NotCounted::stops, "stop",
+         [](std::size_t count) {
+           return count == 1 ? message(NC_("core", "{} program stop (M0, M1)"), count)
+                             : message(NC_("core", "{} program stops (M0, M1)"), count);
+         },
+         ""},
+    Kind{&NotCounted::machine_moves, "machine_move",
+         [](std::size_t count) {
+           return count == 1 ? message(NC_("core", "{} move to or from a machine position"), count)
+                             : message(NC_("core", "{} moves to or from machine positions"), count);
+         },
+         "home_x_mm tool_change_x_mm part_zero_x_mm"},
+    Kind{&NotCounted::plane_turns, "plane_turn",
+         [](std::size_t count) {
+           return count == 1 ? message(NC_("core", "{} turn of rotary axes for a tilted plane"), count)
+                             : message(NC_("core", "{} turns of rotary axes for tilted planes"), count);
+         },
+         ""},
     Kind{&NotCounted::tip_followings, "tip_following",
-         "possible delay by X, Y and Z that follow rotary axes (tool length or part zero unknown)",
-         "possible delays by X, Y and Z that follow rotary axes (tool length or part zero unknown)",
-         "tool_length_mm part_zero_x_mm part_zero_y_mm part_zero_z_mm"},
-};
+         [](std::size_t count) {
+           return count == 1 ? message(NC_("core",
+                                           "{} possible delay by X, Y and Z that follow rotary axes (tool "
+                                           "length or part zero unknown)"),
+                                       count)
+                             : message(NC_("core",
+                                           "{} possible delays by X, Y and Z that follow rotary axes (tool "
+                                           "length or part zero unknown)"),
+                                       count);
+         },
+         "tool_length_mm part_zero_x_mm part_zero_y_mm part_zero_z_mm"}};
 
 }  // namespace
 
@@ -48,18 +76,17 @@ std::vector<NotCountedItem> not_counted_items(const NotCounted& counts) {
   return items;
 }
 
-std::string describe(const NotCounted& counts) {
-  std::vector<std::string> texts;
+Message describe(const NotCounted& counts) {
+  std::vector<Message> texts;
   for (const Kind& kind : kinds) {
-    const std::size_t count = counts.*kind.count;
-    if (count > 0) {
-      texts.push_back(fmt::format("{} {}", count, count == 1 ? kind.one : kind.several));
+    if (const std::size_t count = counts.*kind.count; count > 0) {
+      texts.push_back(kind.text(count));
     }
   }
   if (!counts.other_axes.empty()) {
-    texts.push_back(fmt::format("motion of {}", fmt::join(counts.other_axes, ", ")));
+    texts.push_back(message(NC_("core", "motion of {}"), fmt::to_string(fmt::join(counts.other_axes, ", "))));
   }
-  return fmt::format("{}", fmt::join(texts, ", "));
+  return enumerated(texts);
 }
 
 }  // namespace feedscope

@@ -20,6 +20,6 @@ struct NotCountedItem {
 /// Items that occur, in a fixed order.
 std::vector<NotCountedItem> not_counted_items(const NotCounted& counts);
 /// Text such as "2 tool changes, 1 program stop (M0, M1), motion of B, C"; empty if all time is counted.
-std::string describe(const NotCounted& counts);
+Message describe(const NotCounted& counts);
 
 }  // namespace feedscope

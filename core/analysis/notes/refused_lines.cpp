@@ -1,7 +1,5 @@
 #include "core/analysis/notes/refused_lines.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <memory>
 #include <utility>
@@ -32,36 +30,34 @@ bool is_out_of_reach(const Run& run) {
   return has_errors(run.input.toolpath->machine_faults);
 }
 
-std::string line_list(const std::vector<Diagnostic>& lines) {
+Message line_list(const std::vector<Diagnostic>& lines) {
   constexpr std::size_t most = 8;  // ranges listed
-  std::string list;
-  std::size_t named = 0;
+  std::vector<Message> ranges;
   std::size_t i = 0;
-  for (; i < lines.size() && named < most; ++named) {
+  while (i < lines.size() && ranges.size() < most) {
     std::size_t last = i;
     while (last + 1 < lines.size() && lines[last + 1].line == lines[last].line + 1) {
       ++last;
     }
-    list += fmt::format("{}{}", named == 0 ? "" : ", ", lines[i].line);
-    if (last > i) {
-      list += fmt::format("{}{}", last == i + 1 ? ", " : " to ", lines[last].line);
-    }
+    ranges.push_back(last > i + 1 ? message(NC_("core", "{} to {}"), lines[i].line, lines[last].line)
+                     : last > i   ? message(NC_("core", "{}, {}"), lines[i].line, lines[last].line)
+                                  : Message::number(std::to_string(lines[i].line)));
     i = last + 1;
   }
-  if (i < lines.size()) {
-    list += fmt::format(" and {} more", lines.size() - i);
-  }
-  return list;
+  const Message list = enumerated(ranges);
+  return i < lines.size() ? message(NC_("core", "{} and {} more"), list, lines.size() - i) : list;
 }
 
-std::string refused_note(const std::vector<Diagnostic>& lines) {
+Message refused_note(const std::vector<Diagnostic>& lines) {
   if (lines.empty()) {
     return {};
   }
-  return fmt::format("{} of the program {} by the control and not run ({} {}).",
-                     lines.size() == 1 ? "1 line" : fmt::format("{} lines", lines.size()),
-                     lines.size() == 1 ? "is refused" : "are refused", lines.size() == 1 ? "line" : "lines",
-                     line_list(lines));
+  return lines.size() == 1
+             ? message(NC_("core", "1 line of the program is refused by the control and not run (line {})."),
+                       line_list(lines))
+             : message(
+                   NC_("core", "{} lines of the program are refused by the control and not run (lines {})."),
+                   lines.size(), line_list(lines));
 }
 
 }  // namespace feedscope

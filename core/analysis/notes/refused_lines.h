@@ -23,9 +23,9 @@ bool is_refused(const Run& run);
 bool is_out_of_reach(const Run& run);
 
 /// Numbers of the first of these lines: "5, 9, 20 to 22 and 7 more".
-std::string line_list(const std::vector<Diagnostic>& lines);
+Message line_list(const std::vector<Diagnostic>& lines);
 
 /// Number and list of the lines that the control refuses; empty if none.
-std::string refused_note(const std::vector<Diagnostic>& lines);
+Message refused_note(const std::vector<Diagnostic>& lines);
 
 }  // namespace feedscope

@@ -53,16 +53,16 @@ std::string axes_without_drive(const Machine& machine) {
   return names.size() == machine.drives.size() ? "" : fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::vector<std::string> drive_notes(const Machine& machine) {
-  std::vector<std::string> notes;
+std::vector<Message> drive_notes(const Machine& machine) {
+  std::vector<Message> notes;
   for (const PoorDamping& drive : poorly_damped(machine)) {
-    notes.push_back(fmt::format(
-        "The drive of axis {} is poorly damped: it overshoots a step by {:.0f} %; a smaller {}.kv or "
-        "{}.velocity_lag damps it better.",
-        drive.axis, 100 * drive.overshoot, drive.axis, drive.axis));
+    notes.push_back(message(NC_("core",
+                                "The drive of axis {0} is poorly damped: it overshoots a step by {1:.0f} %; "
+                                "a smaller {0}.kv or {0}.velocity_lag damps it better."),
+                            drive.axis, 100 * drive.overshoot));
   }
   if (const std::string axes = axes_without_drive(machine); !axes.empty()) {
-    notes.push_back(fmt::format("No drive is given for {}: followed exactly.", axes));
+    notes.push_back(message(NC_("core", "No drive is given for {}: followed exactly."), axes));
   }
   return notes;
 }
@@ -177,22 +177,28 @@ const Diagnostic& most_severe(const std::vector<Diagnostic>& faults) {
   return *std::ranges::max_element(faults, std::ranges::less(), &Diagnostic::severity);
 }
 
-std::string machine_fault_note(const std::vector<Diagnostic>& faults) {
+Message machine_fault_note(const std::vector<Diagnostic>& faults) {
   const auto errors = std::ranges::count(faults, Severity::error, &Diagnostic::severity);
   if (errors < std::ssize(faults)) {
     const Diagnostic& note = most_severe(faults);
-    return fmt::format("Rotary axes: line {}: {}.{}", note.line, note.message,
-                       faults.size() == 1 ? "" : fmt::format(" {} more.", faults.size() - 1));
+    return faults.size() == 1 ? message(NC_("core", "Rotary axes: line {}: {}."), note.line, note.message)
+                              : message(NC_("core", "Rotary axes: line {}: {}. {} more."), note.line,
+                                        note.message, faults.size() - 1);
   }
-  return faults.empty()
-             ? ""
-             : fmt::format("Positions of rotary axes that the machine does not reach: line {}: {}.{}",
-                           faults.front().line, faults.front().message,
-                           faults.size() == 1 ? "" : fmt::format(" {} more.", faults.size() - 1));
+  if (faults.empty()) {
+    return {};
+  }
+  const Diagnostic& first = faults.front();
+  return faults.size() == 1
+             ? message(NC_("core", "Positions of rotary axes that the machine does not reach: line {}: {}."),
+                       first.line, first.message)
+             : message(NC_("core",
+                           "Positions of rotary axes that the machine does not reach: line {}: {}. {} more."),
+                       first.line, first.message, faults.size() - 1);
 }
 
-std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& setup) {
-  std::vector<std::string> notes = ignored_path_control(program, setup);
+std::vector<Message> run_notes(const LoadedProgram& program, const Setup& setup) {
+  std::vector<Message> notes = ignored_path_control(program, setup);
   if (const auto mismatch = control_mismatch(setup.machine, program.program->dialect)) {
     notes.insert(notes.begin(), describe(*mismatch));
   }
@@ -200,9 +206,10 @@ std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& se
   if (!offsets.empty()) {
     notes.insert(
         notes.begin(),
-        fmt::format("The program was read with work offsets other than those of the machine ({}).", offsets));
+        message(NC_("core", "The program was read with work offsets other than those of the machine ({})."),
+                offsets));
   }
-  if (std::string refused = refused_note(refused_lines(program, setup)); !refused.empty()) {
+  if (Message refused = refused_note(refused_lines(program, setup)); !refused.empty()) {
     notes.push_back(std::move(refused));
   }
   // The toolpath of a run is already adapted to its setup.
@@ -210,11 +217,11 @@ std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& se
       program.toolpath->programmed
           ? program.toolpath
           : with_rotary_moves(program.toolpath, setup.machine, setup.settings, nullptr);
-  if (std::string faults = machine_fault_note(path->machine_faults); !faults.empty()) {
+  if (Message faults = machine_fault_note(path->machine_faults); !faults.empty()) {
     notes.push_back(std::move(faults));
   }
   for (const char* const note : figure_notes(*path, setup)) {
-    notes.emplace_back(note);
+    notes.emplace_back(Translatable{note});
   }
   if (const auto unadvised =
           unadvised_tolerance(program.chord_error, tolerance_in_force(program.feed_controls, setup))) {
@@ -223,7 +230,7 @@ std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& se
   if (const auto feed = feed_beyond_machine(program, *path, setup)) {
     notes.push_back(describe(*feed));
   }
-  const std::vector<std::string> of_drives = drive_notes(setup.machine);
+  const std::vector<Message> of_drives = drive_notes(setup.machine);
   notes.insert(notes.end(), of_drives.begin(), of_drives.end());
   return notes;
 }

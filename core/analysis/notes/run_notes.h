@@ -21,7 +21,7 @@ std::vector<PoorDamping> poorly_damped(const Machine& machine);
 /// Axes without a drive on a machine with drives: "Z", "X and Z"; empty if all or none have one.
 std::string axes_without_drive(const Machine& machine);
 /// Notes on damping and missing drives, one sentence each.
-std::vector<std::string> drive_notes(const Machine& machine);
+std::vector<Message> drive_notes(const Machine& machine);
 
 /// For a model with ramps but without a jerk limit: which largest values it lacks; else null. Translatable.
 const char* jump_note(const Setup& setup);
@@ -50,12 +50,12 @@ std::optional<UnreachableFeed> feed_beyond_machine(const LoadedProgram& program,
 /// First of the most severe faults; `faults` must not be empty.
 const Diagnostic& most_severe(const std::vector<Diagnostic>& faults);
 /// Faults of the machine on the program, in one sentence; empty if there are none.
-std::string machine_fault_note(const std::vector<Diagnostic>& faults);
+Message machine_fault_note(const std::vector<Diagnostic>& faults);
 
 /// Notes on a run that restrict the use of its figures, one sentence each: a control that does not read the
 /// program's dialect, work offsets of the machine that the program was not read with, ignored_path_control(),
 /// refused_note(), jump_note(), a tolerance that Heidenhain advises against, feed_beyond_machine(), then
 /// drive_notes().
-std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& setup);
+std::vector<Message> run_notes(const LoadedProgram& program, const Setup& setup);
 
 }  // namespace feedscope

@@ -1,7 +1,5 @@
 #include "core/analysis/notes/unadvised_tolerance.h"
 
-#include <fmt/format.h>
-
 namespace feedscope {
 
 std::optional<UnadvisedTolerance> unadvised_tolerance(const std::optional<ChordError>& error,
@@ -15,17 +13,20 @@ std::optional<UnadvisedTolerance> unadvised_tolerance(const std::optional<ChordE
                                                                                   : std::optional(found);
 }
 
-std::string shares_text(const UnadvisedTolerance& tolerance) {
+Message shares_text(const UnadvisedTolerance& tolerance) {
   return tolerance.tolerance.is_range()
-             ? fmt::format("{:.0f} to {:.0f} %", 100 * tolerance.least, 100 * tolerance.largest)
-             : fmt::format("{:.0f} %", 100 * tolerance.least);
+             ? message(NC_("core", "{:.0f} to {:.0f} %"), 100 * tolerance.least, 100 * tolerance.largest)
+             : message(NC_("core", "{:.0f} %"), 100 * tolerance.least);
 }
 
-std::string describe(const UnadvisedTolerance& tolerance) {
-  return fmt::format(
-      "The contour tolerance of {} mm is {} of the estimated chord error of the short lines ({:.2g} mm); "
-      "Heidenhain advises 110 to 200 %.",
-      range_text(tolerance.tolerance), shares_text(tolerance), tolerance.chord_error);
+Message describe(const UnadvisedTolerance& tolerance) {
+  const ToleranceInForce& in_force = tolerance.tolerance;
+  const Message range = in_force.is_range() ? message(NC_("core", "{} ... {}"), in_force.min, in_force.max)
+                                            : Message::number(range_text(in_force));
+  return message(NC_("core",
+                     "The contour tolerance of {} mm is {} of the estimated chord error of the short lines "
+                     "({:.2g} mm); Heidenhain advises 110 to 200 %."),
+                 range, shares_text(tolerance), tolerance.chord_error);
 }
 
 }  // namespace feedscope

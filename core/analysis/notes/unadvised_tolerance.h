@@ -18,8 +18,8 @@ struct UnadvisedTolerance {
 std::optional<UnadvisedTolerance> unadvised_tolerance(const std::optional<ChordError>& error,
                                                       const std::optional<ToleranceInForce>& tolerance);
 /// Text: "510 %", "90 to 510 %".
-std::string shares_text(const UnadvisedTolerance& tolerance);
+Message shares_text(const UnadvisedTolerance& tolerance);
 /// As one sentence.
-std::string describe(const UnadvisedTolerance& tolerance);
+Message describe(const UnadvisedTolerance& tolerance);
 
 }  // namespace feedscope

@@ -1,7 +1,5 @@
 #include "core/analysis/notes/undetermined_limits.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -99,11 +97,11 @@ std::vector<UndeterminedLimit> undetermined_limits(const Run& run) {
   return limits;
 }
 
-std::string describe(const UndeterminedLimit& limit) {
-  return fmt::format(
-      "{} limits {:.3g} s of the cycle time ({:.2g} %), but the recordings that the machine was identified "
-      "from do not determine it.",
-      limit.key, limit.time, 100 * limit.share);
+Message describe(const UndeterminedLimit& limit) {
+  return message(NC_("core",
+                     "{} limits {:.3g} s of the cycle time ({:.2g} %), but the recordings that the machine "
+                     "was identified from do not determine it."),
+                 limit.key, limit.time, 100 * limit.share);
 }
 
 }  // namespace feedscope

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/analysis/run/run.h"
+#include "core/base/message.h"
 
 namespace feedscope {
 
@@ -19,6 +20,6 @@ struct UndeterminedLimit {
 /// for a machine without such numbers.
 std::vector<UndeterminedLimit> undetermined_limits(const Run& run);
 /// As one sentence.
-std::string describe(const UndeterminedLimit& limit);
+Message describe(const UndeterminedLimit& limit);
 
 }  // namespace feedscope

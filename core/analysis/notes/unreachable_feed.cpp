@@ -1,7 +1,5 @@
 #include "core/analysis/notes/unreachable_feed.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -32,11 +30,12 @@ std::optional<UnreachableFeed> unreachable_feed(const std::optional<LargestFeed>
   return programmed->feed > reachable ? std::optional(UnreachableFeed{*programmed, reachable}) : std::nullopt;
 }
 
-std::string describe(const UnreachableFeed& feed) {
-  return fmt::format(
-      "Line {} asks for a feed of {:.0f} mm/min; all axes of this machine together reach {:.0f} mm/min: what "
-      "is lost against the programmed feed tells little there.",
-      feed.programmed.line, units::to_mm_min(feed.programmed.feed), units::to_mm_min(feed.reachable));
+Message describe(const UnreachableFeed& feed) {
+  return message(NC_("core",
+                     "Line {} asks for a feed of {:.0f} mm/min; all axes of this machine together reach "
+                     "{:.0f} mm/min: what is lost against the programmed feed tells little there."),
+                 feed.programmed.line, units::to_mm_min(feed.programmed.feed),
+                 units::to_mm_min(feed.reachable));
 }
 
 }  // namespace feedscope

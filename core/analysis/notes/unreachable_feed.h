@@ -28,6 +28,6 @@ struct UnreachableFeed {
 std::optional<UnreachableFeed> unreachable_feed(const std::optional<LargestFeed>& programmed,
                                                 const Toolpath& path, const Machine& machine);
 /// As one sentence.
-std::string describe(const UnreachableFeed& feed);
+Message describe(const UnreachableFeed& feed);
 
 }  // namespace feedscope

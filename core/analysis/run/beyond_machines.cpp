@@ -1,7 +1,5 @@
 #include "core/analysis/run/beyond_machines.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -19,11 +17,11 @@ constexpr double most_turns = 1e5;      // of a rotary axis
 constexpr double day = 24 * 3600;       // [s]
 constexpr double longest_time = 365 * day;
 
-constexpr const char* not_simulated =
-    "the program is not simulated; check the number, its decimal point and the unit";
+constexpr Translatable not_simulated =
+    NC_("core", "the program is not simulated; check the number, its decimal point and the unit");
 
-Diagnostic fault(std::uint32_t line, std::string message) {
-  return {Severity::error, line, 0, "beyond-machines", std::move(message), not_simulated};
+Diagnostic fault(std::uint32_t line, Message what) {
+  return {Severity::error, line, 0, "beyond-machines", std::move(what), not_simulated};
 }
 
 /// Follows a path up to the first element beyond a bound.
@@ -40,13 +38,15 @@ class Reach {
       least_[axis] = std::min(least_[axis], at);
       most_[axis] = std::max(most_[axis], at);
       if (std::abs(at) > farthest || most_[axis] - least_[axis] > widest) {
-        return fault(segment.line, fmt::format("{} goes to {:.4g} km, beyond the travel of any machine",
-                                               coordinate_names[static_cast<std::size_t>(axis)], km(at)));
+        return fault(segment.line,
+                     message(NC_("core", "{} goes to {:.4g} km, beyond the travel of any machine"),
+                             coordinate_names[static_cast<std::size_t>(axis)], km(at)));
       }
     }
     if (segment.length > longest_motion) {
-      return fault(segment.line,
-                   fmt::format("a motion of {:.4g} km is longer than any machine makes", km(segment.length)));
+      return fault(
+          segment.line,
+          message(NC_("core", "a motion of {:.4g} km is longer than any machine makes"), km(segment.length)));
     }
     return segment.feed > 0 ? pass(segment, segment.length / segment.feed) : std::nullopt;
   }
@@ -63,11 +63,13 @@ class Reach {
     return fault(
         segment.line,
         segment.feed > 0
-            ? fmt::format("{:.4g} days pass up to this line, which runs at F{:.4g} mm/min: more than a year",
-                          days, units::to_mm_min(segment.feed))
-            : fmt::format(
-                  "{:.4g} days pass up to this line, which waits for {:.4g} of them: more than a year", days,
-                  time / day));
+            ? message(NC_("core",
+                          "{:.4g} days pass up to this line, which runs at F{:.4g} mm/min: more than a year"),
+                      days, units::to_mm_min(segment.feed))
+            : message(
+                  NC_("core",
+                      "{:.4g} days pass up to this line, which waits for {:.4g} of them: more than a year"),
+                  days, time / day));
   }
 
   const Toolpath& path_;
@@ -88,9 +90,10 @@ std::optional<Diagnostic> beyond_machines(const Toolpath& toolpath) {
   for (const RotaryMove& move : toolpath.rotary_moves) {
     for (const std::optional<double>& to : move.to) {
       if (to && std::abs(*to) > units::from_turns(most_turns)) {
-        return fault(move.line,
-                     fmt::format("a rotary axis goes to {:.4g} degrees, beyond what any machine turns",
-                                 units::to_deg(*to)));
+        return fault(
+            move.line,
+            message(NC_("core", "a rotary axis goes to {:.4g} degrees, beyond what any machine turns"),
+                    units::to_deg(*to)));
       }
     }
   }

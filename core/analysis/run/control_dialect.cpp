@@ -1,7 +1,5 @@
 #include "core/analysis/run/control_dialect.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -87,15 +85,17 @@ std::optional<ControlMismatch> control_mismatch(const Machine& machine, Dialect 
                          fitting == nullptr ? std::string() : fitting->machine};
 }
 
-std::string describe(const ControlMismatch& mismatch) {
+Message describe(const ControlMismatch& mismatch) {
   const std::string_view dialect = info_of(mismatch.dialect).title;
-  const std::string remedy =
-      mismatch.fitting_machine.empty()
-          ? fmt::format("No published machine has a {} control; use your own machine file.", dialect)
-          : fmt::format("Use machine {}, whose control reads it.", mismatch.fitting_machine);
-  return fmt::format(
-      "The program is written for {}, but {} has a {}: path and times are those of that control. {}", dialect,
-      mismatch.machine, mismatch.control, remedy);
+  return mismatch.fitting_machine.empty()
+             ? message(NC_("core",
+                           "The program is written for {}, but {} has a {}: path and times are those of that "
+                           "control. No published machine has a {} control; use your own machine file."),
+                       dialect, mismatch.machine, mismatch.control, dialect)
+             : message(NC_("core",
+                           "The program is written for {}, but {} has a {}: path and times are those of that "
+                           "control. Use machine {}, whose control reads it."),
+                       dialect, mismatch.machine, mismatch.control, mismatch.fitting_machine);
 }
 
 }  // namespace feedscope

@@ -29,6 +29,6 @@ std::optional<ControlMismatch> control_mismatch(const Machine& machine, Dialect 
 
 /// Message such as "The program is written for Heidenhain, but Spinner MVC 850 has a Siemens Sinumerik 840D.
 /// ..."
-std::string describe(const ControlMismatch& mismatch);
+Message describe(const ControlMismatch& mismatch);
 
 }  // namespace feedscope

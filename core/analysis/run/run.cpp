@@ -1,7 +1,5 @@
 #include "core/analysis/run/run.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <limits>
@@ -47,23 +45,23 @@ std::vector<PathControl> controls_of_feed_motions(const Toolpath& toolpath) {
   return controls;
 }
 
-std::string place_and_message(const Diagnostic& said, const Program& program) {
-  return fmt::format("{}, line {}: {}", said.file.empty() ? program.source->name() : said.file, said.line,
-                     said.message);
+Message place_and_message(const Diagnostic& said, const Program& program) {
+  return message(NC_("core", "{}, line {}: {}"), said.file.empty() ? program.source->name() : said.file,
+                 said.line, said.message);
 }
 
-/// First error or omission in a program that does not end; "" if there is none.
-std::string likely_cause(const Program& program) {
+/// `limit`, and the first error or omission in a program that does not end.
+Message with_likely_cause(const Message& limit, const Program& program) {
   const auto cause = std::ranges::find_if(program.diagnostics, [](const Diagnostic& said) {
     return said.severity != Severity::info && said.code != "run-limit" && said.line > 0;
   });
-  return cause == program.diagnostics.end()
-             ? ""
-             : fmt::format("; before that, {} ({})", place_and_message(*cause, program), cause->hint);
+  return cause == program.diagnostics.end() ? limit
+                                            : message(NC_("core", "{}; before that, {} ({})"), limit,
+                                                      place_and_message(*cause, program), cause->hint);
 }
 
 [[noreturn]] void throw_beyond_machines(const Program& program, const Diagnostic& fault) {
-  throw InputError(fmt::format("{}; {}", place_and_message(fault, program), fault.hint));
+  throw InputError(message(NC_("core", "{}; {}"), place_and_message(fault, program), fault.hint));
 }
 
 [[noreturn]] void throw_refused(const Program& program) {
@@ -73,13 +71,13 @@ std::string likely_cause(const Program& program) {
   }
   const auto limit = std::find_if(program.diagnostics.begin(), program.diagnostics.end(),
                                   [](const Diagnostic& d) { return d.code == "run-limit"; });
-  const std::string why = limit == program.diagnostics.end()
-                              ? program.source->name()
-                              : place_and_message(*limit, program) + likely_cause(program);
-  throw InputError(
-      fmt::format("{}; the program is not simulated: check its loops, raise the limit (--repeat-limit), or "
-                  "simulate the part that was read (--simulate-cut-off)",
-                  why));
+  const Message why = limit == program.diagnostics.end()
+                          ? Message::as_written(program.source->name())
+                          : with_likely_cause(place_and_message(*limit, program), program);
+  throw InputError(message(NC_("core",
+                               "{}; the program is not simulated: check its loops, raise the limit "
+                               "(--repeat-limit), or simulate the part that was read (--simulate-cut-off)"),
+                           why));
 }
 
 /// None without operations. Throws InputError as LoadModel does.

@@ -109,7 +109,8 @@ std::vector<StudySetup> setups_to_study(const StudyRequest& request) {
                                                            request.tolerances, request.assignments);
   const std::size_t count = combinations(request.sweeps);
   if (count * bases.size() > max_study_runs) {
-    throw InputError(fmt::format("the sweeps need more than {} runs; use fewer values", max_study_runs));
+    throw InputError(
+        message(NC_("core", "the sweeps need more than {} runs; use fewer values"), max_study_runs));
   }
   std::vector<StudySetup> setups;
   for (const Setup& base : bases) {

@@ -14,20 +14,21 @@ namespace feedscope {
 namespace {
 
 constexpr const char* tolerance_key = "tolerance";
-constexpr const char* form =
-    "write KEY=FROM:TO:logN, KEY=FROM:TO:linN or \"KEY=A;B;C\", such as tolerance=0.005:0.1:log12";
 constexpr std::string_view separators = " \t;";
 
-[[noreturn]] void refuse(const std::string& text, const std::string& reason) {
-  throw InputError(fmt::format("sweep '{}': {}; {}", text, reason, form));
+[[noreturn]] void refuse(const std::string& text, const Message& reason) {
+  throw InputError(message(NC_("core",
+                               "sweep '{}': {}; write KEY=FROM:TO:logN, KEY=FROM:TO:linN or \"KEY=A;B;C\", "
+                               "such as tolerance=0.005:0.1:log12"),
+                           text, reason));
 }
 
 double number_in(const std::string& text, std::string_view word) {
   const TypedNumber number = typed_list_number(word);
   if (!number.value) {
-    refuse(text, fmt::format("'{}' {}", word,
-                             !number.problem.empty() ? "has a comma: " + number.problem
-                                                     : "is not a number, and only numbers can be swept"));
+    refuse(text, number.problem.empty()
+                     ? message(NC_("core", "'{}' is not a number, and only numbers can be swept"), word)
+                     : message(NC_("core", "'{}' has a comma: {}"), word, number.problem));
   }
   return *number.value;
 }
@@ -56,17 +57,17 @@ double rounded(double value) {
 
 Sweep range(const std::string& text, const std::string& key, const std::vector<std::string_view>& parts) {
   if (parts.size() != 3) {
-    refuse(text, fmt::format("a range has three parts, not {}", parts.size()));
+    refuse(text, message(NC_("core", "a range has three parts, not {}"), parts.size()));
   }
   const std::string_view steps = parts[2];
   const bool logarithmic = steps.starts_with("log");
   if (!logarithmic && !steps.starts_with("lin")) {
-    refuse(text, fmt::format("'{}' is neither logN nor linN", steps));
+    refuse(text, message(NC_("core", "'{}' is neither logN nor linN"), steps));
   }
   const double count = number_in(text, steps.substr(3));
   if (!(count >= 2 && count <= static_cast<double>(max_sweep_values) && count == std::floor(count))) {
-    refuse(text, fmt::format("{} values; there must be a whole number from 2 to {}", steps.substr(3),
-                             max_sweep_values));
+    refuse(text, message(NC_("core", "{} values; there must be a whole number from 2 to {}"), steps.substr(3),
+                         max_sweep_values));
   }
   const double from = number_in(text, parts[0]);
   const double to = number_in(text, parts[1]);
@@ -78,13 +79,13 @@ Sweep range(const std::string& text, const std::string& key, const std::vector<s
 Sweep make_sweep(const std::string& key, double from, double to, std::size_t count, bool logarithmic) {
   const std::string text = fmt::format("{}={}:{}:{}{}", key, from, to, logarithmic ? "log" : "lin", count);
   if (!(std::isfinite(from) && std::isfinite(to)) || from == to) {
-    refuse(text, fmt::format("from {} to {} is not a range", from, to));
+    refuse(text, message(NC_("core", "from {} to {} is not a range"), from, to));
   }
   if (logarithmic && !(from > 0 && to > 0)) {
-    refuse(text, fmt::format("equal ratios need ends above 0, not {}", std::min(from, to)));
+    refuse(text, message(NC_("core", "equal ratios need ends above 0, not {}"), std::min(from, to)));
   }
   if (count < 2 || count > max_sweep_values) {
-    refuse(text, fmt::format("{} values; there must be 2 to {}", count, max_sweep_values));
+    refuse(text, message(NC_("core", "{} values; there must be 2 to {}"), count, max_sweep_values));
   }
   Sweep sweep{key, {from}, logarithmic};
   for (std::size_t i = 1; i + 1 < count; ++i) {
@@ -104,7 +105,7 @@ Sweep make_sweep(const std::string& key, double from, double to, std::size_t cou
 Sweep parse_sweep(const std::string& text) {
   const auto equals = text.find('=');
   if (equals == std::string::npos || equals == 0) {
-    refuse(text, "KEY= is missing");
+    refuse(text, NC_("core", "KEY= is missing"));
   }
   const std::string key = text.substr(0, equals);
   const std::string_view values = std::string_view(text).substr(equals + 1);
@@ -115,15 +116,16 @@ Sweep parse_sweep(const std::string& text) {
   for (const std::string_view word : words_of(values)) {
     const double value = number_in(text, word);
     if (std::ranges::find(sweep.values, value) != sweep.values.end()) {
-      refuse(text, fmt::format("{} is listed twice", value));
+      refuse(text, message(NC_("core", "{} is listed twice"), value));
     }
     sweep.values.push_back(value);
   }
   if (sweep.values.empty()) {
-    refuse(text, "the value is missing");
+    refuse(text, NC_("core", "the value is missing"));
   }
   if (sweep.values.size() > max_sweep_values) {
-    refuse(text, fmt::format("{} values; at most {} are possible", sweep.values.size(), max_sweep_values));
+    refuse(text,
+           message(NC_("core", "{} values; at most {} are possible"), sweep.values.size(), max_sweep_values));
   }
   return sweep;
 }

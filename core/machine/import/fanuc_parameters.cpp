@@ -31,21 +31,22 @@ constexpr std::array used_parameters{rapid_traverse,     cutting_feed,        cu
 /// A parameter that affects the time of a program but has no counterpart in machine files.
 struct UnmodelledParameter {
   int number;
-  const char* meaning;
+  Translatable meaning;
 };
 /// Source: Fanuc Series 0i-F and 30i-B, parameter manuals, "Feedrate" and "Acceleration/deceleration
 /// control".
 constexpr std::array unmodelled_parameters{
-    UnmodelledParameter{1620, "time constant of rapids"},
-    UnmodelledParameter{1622, "time constant of cutting feeds after interpolation"},
-    UnmodelledParameter{1671, "acceleration of rapids"},
-    UnmodelledParameter{1672, "time in which the acceleration of rapids is reached"},
-    UnmodelledParameter{1732, "feed below which arcs do not slow down"},
-    UnmodelledParameter{1735, "acceleration on arcs"},
-    UnmodelledParameter{1737, "acceleration under look-ahead control"},
-    UnmodelledParameter{1769, "time constant after interpolation under look-ahead control"},
-    UnmodelledParameter{1783, "difference of feeds that is passed at corners without slowing down"},
-    UnmodelledParameter{1788, "change of acceleration that is passed without slowing down"},
+    UnmodelledParameter{1620, NC_("core", "time constant of rapids")},
+    UnmodelledParameter{1622, NC_("core", "time constant of cutting feeds after interpolation")},
+    UnmodelledParameter{1671, NC_("core", "acceleration of rapids")},
+    UnmodelledParameter{1672, NC_("core", "time in which the acceleration of rapids is reached")},
+    UnmodelledParameter{1732, NC_("core", "feed below which arcs do not slow down")},
+    UnmodelledParameter{1735, NC_("core", "acceleration on arcs")},
+    UnmodelledParameter{1737, NC_("core", "acceleration under look-ahead control")},
+    UnmodelledParameter{1769, NC_("core", "time constant after interpolation under look-ahead control")},
+    UnmodelledParameter{1783,
+                        NC_("core", "difference of feeds that is passed at corners without slowing down")},
+    UnmodelledParameter{1788, NC_("core", "change of acceleration that is passed without slowing down")},
 };
 
 /// A letter with the value after it.
@@ -108,7 +109,7 @@ class FanucReader {
     machine.reference = fmt::format("{}, parameters of the machine's Fanuc", draft_.file());
     draft_.choose_model({"essid"});
     draft_.note(Severity::info, {}, "not-modelled",
-                "there is no model of a Fanuc: that of another control runs its limits");
+                NC_("core", "there is no model of a Fanuc: that of another control runs its limits"));
     if (is_inch_machine()) {
       return draft_.finish(fanuc_parameters.kind, {24, 3, 50});
     }
@@ -125,7 +126,7 @@ class FanucReader {
     if (words.empty()) {
       if (!line.text.empty() && line.text != "%") {
         draft_.note(Severity::info, place, "not-understood",
-                    fmt::format("'{}' is not a parameter; it is skipped", line.text));
+                    message(NC_("core", "'{}' is not a parameter; it is skipped"), line.text));
       }
       return;
     }
@@ -154,7 +155,7 @@ class FanucReader {
       draft_.leave_out(fmt::format("N{}", number));
     } else {
       draft_.note(Severity::info, place, "not-modelled",
-                  fmt::format("{} ({}) is not modelled", line.text, known->meaning));
+                  message(NC_("core", "{} ({}) is not modelled"), line.text, known->meaning));
     }
   }
 
@@ -164,11 +165,11 @@ class FanucReader {
     if (unit == nullptr || std::fmod(unit->value, 10) != 1) {
       return false;
     }
-    draft_.note(
-        Severity::error, unit->given.place, "inch-system",
-        "the machine measures in inches (1001, bit 0), in which parameters are not imported; all limits are "
-        "assumed",
-        "write its limits into a machine file");
+    draft_.note(Severity::error, unit->given.place, "inch-system",
+                NC_("core",
+                    "the machine measures in inches (1001, bit 0), in which parameters are not imported; all "
+                    "limits are assumed"),
+                NC_("core", "write its limits into a machine file"));
     return true;
   }
 
@@ -186,7 +187,8 @@ class FanucReader {
     }
     if (axis == known_axes[0].name) {
       draft_.note(Severity::info, {}, "axes-assumed",
-                  "which axes X, Y and Z are is not told; the first three are assumed", "add parameter 1020");
+                  NC_("core", "which axes X, Y and Z are is not told; the first three are assumed"),
+                  NC_("core", "add parameter 1020"));
     }
     return static_cast<int>(*known_axes.find(axis)) + 1;
   }
@@ -196,7 +198,8 @@ class FanucReader {
     const NumberedParameters::Entry* kind = parameters_.find(axis_kinds, number);
     if (number == 0 || (kind != nullptr && std::fmod(kind->value, 10) == 1)) {
       draft_.note(Severity::warning, kind == nullptr ? ConfigurationPlace() : kind->given.place,
-                  "axis-skipped", fmt::format("there is no linear axis {}; its limits are assumed", axis));
+                  "axis-skipped",
+                  message(NC_("core", "there is no linear axis {}; its limits are assumed"), axis));
       return;
     }
     give(axis, "velocity", rapid_traverse, number, units::to_m, "mm/min");
@@ -227,9 +230,10 @@ class FanucReader {
     const bool has_both = plain != nullptr && ahead != nullptr && plain->value > 0 && ahead->value > 0;
     const NumberedParameters::Entry* used = ahead != nullptr && ahead->value > 0 ? ahead : plain;
     if (has_both && plain->value != ahead->value) {
-      draft_.note(Severity::info, plain->given.place, "not-modelled",
-                  fmt::format("{} is the cutting feed without look-ahead control; that with it, {}, is used",
-                              plain->given.what, ahead->given.what));
+      draft_.note(
+          Severity::info, plain->given.place, "not-modelled",
+          message(NC_("core", "{} is the cutting feed without look-ahead control; that with it, {}, is used"),
+                  plain->given.what, ahead->given.what));
     }
     if (used != nullptr && used->value > 0) {
       draft_.give(cutting_feed_key(axis - 'X'), units::to_m(used->value),

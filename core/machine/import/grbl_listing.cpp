@@ -97,7 +97,7 @@ class GrblReader {
       read_options(line.text.substr(options + 1), place);
     } else if (!is_chatter(line.text)) {
       draft_.note(Severity::info, place, "not-understood",
-                  fmt::format("'{}' is not a setting; it is skipped", line.text));
+                  message(NC_("core", "'{}' is not a setting; it is skipped"), line.text));
     }
   }
 
@@ -146,8 +146,8 @@ class GrblReader {
     const GivenValue given{place, given_text(setting)};
     if (number == 0 && setting.comment.find("step/mm") != std::string::npos) {
       draft_.note(Severity::error, place, "old-release",
-                  "the settings are numbered as in grbl 0.8 and before, which is not supported",
-                  "update the control, or write its values into a machine file");
+                  NC_("core", "the settings are numbered as in grbl 0.8 and before, which is not supported"),
+                  NC_("core", "update the control, or write its values into a machine file"));
       old_ = true;
     }
     if (!old_) {
@@ -176,13 +176,14 @@ class GrblReader {
       if (number_of(setting, given).value_or(0) == 1) {
         draft_.note(
             Severity::warning, given.place, "not-modelled",
-            "laser mode ($32 = 1) is not modelled: with a laser, changes of S do not stop the motion");
+            NC_("core",
+                "laser mode ($32 = 1) is not modelled: with a laser, changes of S do not stop the motion"));
       }
     } else if (is_without_effect(number)) {
       draft_.leave_out(fmt::format("${}", number));
     } else {
       draft_.note(Severity::info, given.place, "not-understood",
-                  "a setting that no model here uses; skipped");
+                  NC_("core", "a setting that no model here uses; skipped"));
     }
   }
 
@@ -208,7 +209,7 @@ class GrblReader {
                                     Quantity{"acceleration", "mm/s2", units::to_m}};
     if (place >= static_cast<int>(known_axes.size())) {
       draft_.note(Severity::info, given.place, "axis-skipped",
-                  "axes other than X, Y and Z are not part of the simulation; skipped");
+                  NC_("core", "axes other than X, Y and Z are not part of the simulation; skipped"));
       return;
     }
     const Quantity& quantity = quantities[group];
@@ -229,7 +230,8 @@ class GrblReader {
     const auto axis = rest.empty() ? std::nullopt : known_axes.find(in_upper_case(rest).front());
     const GivenValue given{place, given_text(setting)};
     if (key == keys.end() || !axis) {
-      draft_.note(Severity::info, place, "not-understood", "a setting that no model here uses; skipped");
+      draft_.note(Severity::info, place, "not-understood",
+                  NC_("core", "a setting that no model here uses; skipped"));
       return;
     }
     read_axis(static_cast<int>(*axis), static_cast<std::size_t>(key - keys.begin()), setting, given);
@@ -239,9 +241,9 @@ class GrblReader {
     const auto [before, is_first] = before_.try_emplace(setting.name, std::pair(setting.value, place));
     if (!is_first && before->second.first != setting.value) {
       draft_.note(Severity::warning, place, "given-twice",
-                  fmt::format("${} = {}, but {} in {}; {} is used", setting.name, setting.value,
-                              before->second.first, draft_.place_text(before->second.second), setting.value),
-                  "remove one of the two");
+                  message(NC_("core", "${} = {}, but {} in {}; {} is used"), setting.name, setting.value,
+                          before->second.first, draft_.place_text(before->second.second), setting.value),
+                  NC_("core", "remove one of the two"));
       before->second = {setting.value, place};
     }
   }
@@ -271,8 +273,9 @@ class GrblReader {
     if (!is_grbl) {
       draft_.note(
           Severity::info, {}, "not-modelled",
-          fmt::format("{} is simulated as grbl with its values; what it does otherwise is not modelled",
-                      firmware_));
+          message(
+              NC_("core", "{} is simulated as grbl with its values; what it does otherwise is not modelled"),
+              firmware_));
     }
   }
 

@@ -77,16 +77,17 @@ class TncReader {
     machine.control = "Heidenhain";
     machine.reference = fmt::format("{}, machine parameters of the machine's Heidenhain", draft_.file());
     draft_.choose_model({"ward"});
-    draft_.note(Severity::info, {}, "axes-assumed", "indices 0, 1 and 2 are taken as X, Y and Z",
-                "exchange the axes in the machine file where that is not so");
+    draft_.note(Severity::info, {}, "axes-assumed", NC_("core", "indices 0, 1 and 2 are taken as X, Y and Z"),
+                NC_("core", "exchange the axes in the machine file where that is not so"));
     for (int i = 0; i < static_cast<int>(known_axes.size()); ++i) {
       read_axis(known_axes[static_cast<std::size_t>(i)].name, i);
     }
     if (const NumberedParameters::Entry* path = parameters_.find(tnc_path_acceleration, 0)) {
       draft_.note(
           Severity::info, path->given.place, "not-modelled",
-          fmt::format("the acceleration along the path, {} m/s2, is not modelled: those of the axes hold",
-                      path->given.what));
+          message(NC_("core",
+                      "the acceleration along the path, {} m/s2, is not modelled: those of the axes hold"),
+                  path->given.what));
     }
     return draft_.finish(heidenhain_parameters.kind, {30, 3, 40});
   }
@@ -98,7 +99,7 @@ class TncReader {
     if (!parameter) {
       if (!line.text.empty() && line.text.front() != ';') {
         draft_.note(Severity::info, place, "not-understood",
-                    fmt::format("'{}' is not a machine parameter; it is skipped", line.text));
+                    message(NC_("core", "'{}' is not a machine parameter; it is skipped"), line.text));
       }
       return;
     }

@@ -43,8 +43,8 @@ class KlipperReader {
     draft_.choose_model({"klipper"});
     if (file_.find_section("printer") == nullptr) {
       draft_.note(Severity::error, {}, "section-missing",
-                  "section [printer] is missing; its limits are assumed",
-                  "import the file that Klipper itself reads, printer.cfg");
+                  NC_("core", "section [printer] is missing; its limits are assumed"),
+                  NC_("core", "import the file that Klipper itself reads, printer.cfg"));
     }
     read_path_limits();
     read_z_limits();
@@ -64,9 +64,9 @@ class KlipperReader {
     const std::optional<double> value =
         entry == nullptr ? std::nullopt : draft_.number(entry->value, entry->given(unit));
     if (value && *value <= above) {
-      draft_.note(
-          Severity::error, entry->place, "limit-out-of-bounds",
-          fmt::format("{} must be above {}: Klipper does not start with it", entry->given(unit).what, above));
+      draft_.note(Severity::error, entry->place, "limit-out-of-bounds",
+                  message(NC_("core", "{} must be above {}: Klipper does not start with it"),
+                          entry->given(unit).what, above));
       return std::nullopt;
     }
     return value;
@@ -103,9 +103,10 @@ class KlipperReader {
         path == nullptr ? std::nullopt : draft_.number(path->value, path->given(unit));
     if (value && most && *value > *most) {
       draft_.note(Severity::error, file_.find("printer", name)->place, "limits-contradict",
-                  fmt::format("{} exceeds {} = {} ({}): Klipper does not start with it",
-                              given(name, unit).what, path_name, path->value, draft_.place_text(path->place)),
-                  fmt::format("lower {}", name));
+                  message(NC_("core", "{} exceeds {} = {} ({}): Klipper does not start with it"),
+                          given(name, unit).what, std::string_view(path_name), path->value,
+                          draft_.place_text(path->place)),
+                  message(NC_("core", "lower {}"), std::string_view(name)));
     }
     if (value) {
       draft_.give_axis('Z', key, to_unit(*value), given(name, unit));
@@ -148,10 +149,11 @@ class KlipperReader {
       assume_default("arc_resolution_mm", 1, "resolution of [gcode_arcs]");
     }
     if (file_.find_section("gcode_arcs") == nullptr) {
-      draft_.note(
-          Severity::warning, {}, "no-arcs",
-          "there is no section [gcode_arcs]: this Klipper does not know G2 and G3, while the model runs them",
-          "add [gcode_arcs], or let the CAM system write lines");
+      draft_.note(Severity::warning, {}, "no-arcs",
+                  NC_("core",
+                      "there is no section [gcode_arcs]: this Klipper does not know G2 and G3, while the "
+                      "model runs them"),
+                  NC_("core", "add [gcode_arcs], or let the CAM system write lines"));
     }
   }
 
@@ -200,8 +202,9 @@ class KlipperReader {
     if (entry != nullptr && std::ranges::find(known, entry->value) == known.end()) {
       draft_.note(
           Severity::warning, entry->place, "not-modelled",
-          fmt::format("kinematics {} are not modelled: limits hold along the path, and those of Z alone",
-                      entry->value));
+          message(
+              NC_("core", "kinematics {} are not modelled: limits hold along the path, and those of Z alone"),
+              entry->value));
     }
     if (entry != nullptr) {
       draft_.machine().name = fmt::format("{} ({})", draft_.machine().name, entry->value);
@@ -219,14 +222,16 @@ class KlipperReader {
       }
       if (const std::string nearest = nearest_name(entry.key, used); !nearest.empty()) {
         draft_.note(Severity::warning, entry.place, "not-understood",
-                    fmt::format("[printer] {} is not used here; skipped", entry.key),
-                    fmt::format("did you mean '{}'?", nearest));
+                    message(NC_("core", "[printer] {} is not used here; skipped"), entry.key),
+                    message(NC_("core", "did you mean '{}'?"), nearest));
       }
     }
     for (const SectionHead& head : file_.sections()) {
       if (head.name == "input_shaper") {
-        draft_.note(Severity::info, head.place, "not-modelled",
-                    "input shaping is not modelled: it smooths the motion and takes no longer on the whole");
+        draft_.note(
+            Severity::info, head.place, "not-modelled",
+            NC_("core",
+                "input shaping is not modelled: it smooths the motion and takes no longer on the whole"));
       }
     }
   }

@@ -90,7 +90,8 @@ class LinuxCncReader {
     const SectionEntry* entry = file_.find("TRAJ", "LINEAR_UNITS");
     if (entry == nullptr) {
       draft_.note(Severity::warning, file_.place_of("TRAJ"), "no-units",
-                  "[TRAJ] LINEAR_UNITS is missing; mm is assumed", "write LINEAR_UNITS = mm or inch");
+                  NC_("core", "[TRAJ] LINEAR_UNITS is missing; mm is assumed"),
+                  NC_("core", "write LINEAR_UNITS = mm or inch"));
       return;
     }
     const std::string word = in_upper_case(entry->value);
@@ -104,8 +105,8 @@ class LinuxCncReader {
         unit_name_ = "units";
       } else if (per_mm) {
         draft_.note(Severity::error, entry->place, "no-units",
-                    fmt::format("LINEAR_UNITS = {} is not a unit; mm is assumed", entry->value),
-                    "write LINEAR_UNITS = mm or inch");
+                    message(NC_("core", "LINEAR_UNITS = {} is not a unit; mm is assumed"), entry->value),
+                    NC_("core", "write LINEAR_UNITS = mm or inch"));
       }
     }
   }
@@ -124,9 +125,10 @@ class LinuxCncReader {
       }
       turns_ = LinuxCncKinematics(file_, draft_, unit_, unit_name_).read();
       if (!upper.starts_with("TRIVKINS") && !turns_) {
-        draft_.note(Severity::warning, kins->place, "not-modelled",
-                    fmt::format("kinematics {} is not modelled: X, Y and Z are treated as axes of their own",
-                                kins->value));
+        draft_.note(
+            Severity::warning, kins->place, "not-modelled",
+            message(NC_("core", "kinematics {} is not modelled: X, Y and Z are treated as axes of their own"),
+                    kins->value));
       }
     }
     constexpr std::size_t most_joints = 16;
@@ -139,7 +141,7 @@ class LinuxCncReader {
       const bool turns = turns_ && draft_.machine().kinematics.find(letter) != nullptr;
       if (joints_.find(letter) != std::string::npos && !known_axes.find(letter) && !turns) {
         draft_.note(Severity::info, entry == nullptr ? ConfigurationPlace() : entry->place, "axis-skipped",
-                    fmt::format("axis {} is not part of the simulation; skipped", letter));
+                    message(NC_("core", "axis {} is not part of the simulation; skipped"), letter));
       }
     }
   }
@@ -184,10 +186,11 @@ class LinuxCncReader {
       const SectionEntry* other = file_.find(joint, name);
       const std::optional<double> value = other == nullptr ? std::nullopt : number(*other, unit);
       if (value && *value > 0) {
-        draft_.note(
-            Severity::warning, file_.place_of(section), "limit-missing",
-            fmt::format("[{}] gives no {}; that of [{}] is assumed", section, name, joint),
-            fmt::format("write {} into [{}]: LinuxCNC does not take it from the joint", name, section));
+        draft_.note(Severity::warning, file_.place_of(section), "limit-missing",
+                    message(NC_("core", "[{}] gives no {}; that of [{}] is assumed"), section,
+                            std::string_view(name), joint),
+                    message(NC_("core", "write {} into [{}]: LinuxCNC does not take it from the joint"),
+                            std::string_view(name), section));
         draft_.assume_axis(axis, key, to_unit(*value * unit_),
                            fmt::format("[{}] gives none: as {}: {}", section, draft_.place_text(other->place),
                                        other->given(unit).what));
@@ -195,9 +198,10 @@ class LinuxCncReader {
       }
     }
     if (joints_.find(axis) != std::string::npos) {
-      draft_.note(Severity::warning, file_.place_of(section), "limit-missing",
-                  fmt::format("{} of axis {} is missing; it is assumed", name, axis),
-                  fmt::format("write {} into [{}]", name, section));
+      draft_.note(
+          Severity::warning, file_.place_of(section), "limit-missing",
+          message(NC_("core", "{} of axis {} is missing; it is assumed"), std::string_view(name), axis),
+          message(NC_("core", "write {} into [{}]"), std::string_view(name), section));
     }
   }
 
@@ -213,10 +217,10 @@ class LinuxCncReader {
       const std::optional<double> limit = other == nullptr ? std::nullopt : number(*other);
       if (limit && *limit > 0 && *limit < value) {
         draft_.note(Severity::warning, entry.place, "limits-contradict",
-                    fmt::format("[{}] {} = {} exceeds [{}] {} = {} ({}); the planner uses {}", entry.section,
-                                entry.key, entry.value, other->section, other->key, other->value,
-                                draft_.place_text(other->place), entry.value),
-                    "the joint cannot follow there: lower the limit of the axis");
+                    message(NC_("core", "[{}] {} = {} exceeds [{}] {} = {} ({}); the planner uses {}"),
+                            entry.section, entry.key, entry.value, other->section, other->key, other->value,
+                            draft_.place_text(other->place), entry.value),
+                    NC_("core", "the joint cannot follow there: lower the limit of the axis"));
       }
     }
   }
@@ -256,8 +260,8 @@ class LinuxCncReader {
     const std::optional<double> value = entry == nullptr ? std::nullopt : number(*entry);
     if (value && *value != usual) {
       draft_.note(Severity::warning, entry->place, "not-modelled",
-                  fmt::format("[TRAJ] {} = {} is not modelled; the model computes with {}", key, entry->value,
-                              usual));
+                  message(NC_("core", "[TRAJ] {} = {} is not modelled; the model computes with {}"),
+                          std::string_view(key), entry->value, usual));
     }
   }
 
@@ -304,11 +308,11 @@ class LinuxCncReader {
                                 draft_.place_text(entry.place), entry.given().what));
       draft_.note(
           Severity::warning, entry.place, "start-up-tolerance",
-          fmt::format(
-              "P of G64 in the start-up code has no effect on blends in LinuxCNC 2.9; P{} is used for "
-              "joining blocks alone",
-              text),
-          "write G64 P into the program, or set blend_tolerance_mm if your release takes it");
+          message(NC_("core",
+                      "P of G64 in the start-up code has no effect on blends in LinuxCNC 2.9; P{} is used "
+                      "for joining blocks alone"),
+                  text),
+          NC_("core", "write G64 P into the program, or set blend_tolerance_mm if your release takes it"));
     }
   }
 
@@ -349,8 +353,8 @@ class LinuxCncReader {
       const std::string nearest = !of_motion || known ? "" : nearest_name(entry.key, used);
       if (!nearest.empty()) {
         draft_.note(Severity::warning, entry.place, "not-understood",
-                    fmt::format("[{}] {} is not known; skipped", entry.section, entry.key),
-                    fmt::format("did you mean '{}'?", nearest));
+                    message(NC_("core", "[{}] {} is not known; skipped"), entry.section, entry.key),
+                    message(NC_("core", "did you mean '{}'?"), nearest));
       }
     }
   }

@@ -73,8 +73,8 @@ bool LinuxCncKinematics::read() {
   const std::string of_tilt = joined(sources);
   if (of_tilt.empty()) {
     draft_.note(Severity::warning, kins->place, "not-modelled",
-                fmt::format("the offsets of {} are not in the INI file; 0 is assumed", component_),
-                "write them into the machine file: [kinematics], 'point' of each axis");
+                message(NC_("core", "the offsets of {} are not in the INI file; 0 is assumed"), component_),
+                NC_("core", "write them into the machine file: [kinematics], 'point' of each axis"));
   }
   MachineKinematics& kinematics = draft_.machine().kinematics;
   kinematics.chain = fmt::format("C {} X Y frame Z", tilting);
@@ -164,8 +164,9 @@ bool LinuxCncKinematics::set(RotaryAxis& axis, const char* key, double value, co
     set_rotary_value(axis, static_cast<std::size_t>(spec - specs.begin()), value);
   } catch (const InputError& error) {
     draft_.note(Severity::error, place, "limit-out-of-bounds",
-                fmt::format("{} of axis {} cannot be used: {}", key, axis.name, error.what()),
-                "correct the file of the control; until then the value is assumed");
+                message(NC_("core", "{} of axis {} cannot be used: {}"), std::string_view(key), axis.name,
+                        error.message()),
+                NC_("core", "correct the file of the control; until then the value is assumed"));
     return false;
   }
   draft_.machine().provenance[fmt::format("{}.{}", axis.name, key)] = source;
@@ -185,9 +186,10 @@ void LinuxCncKinematics::give_limit(RotaryAxis& axis, const char* key, const cha
     return;
   }
   if (entry == nullptr) {
-    draft_.note(Severity::warning, file_.place_of(section), "limit-missing",
-                fmt::format("{} of axis {} is missing; it is assumed", name, axis.name),
-                fmt::format("write {} into [{}]", name, section));
+    draft_.note(
+        Severity::warning, file_.place_of(section), "limit-missing",
+        message(NC_("core", "{} of axis {} is missing; it is assumed"), std::string_view(name), axis.name),
+        message(NC_("core", "write {} into [{}]"), std::string_view(name), section));
   }
   set(axis, key, usual / per_unit,
       {fmt::format("{} does not give it: usual of such machines", draft_.file()), true});

@@ -42,8 +42,8 @@ bool MachineDraft::is_within(const SettingSpec& spec, const SettingValue& value,
     return true;
   } catch (const InputError& error) {
     note(Severity::error, given.place, "limit-out-of-bounds",
-         fmt::format("{} cannot be used: {}", given.what, error.what()),
-         "correct the file of the control; until then the value is assumed");
+         message(NC_("core", "{} cannot be used: {}"), given.what, error.message()),
+         NC_("core", "correct the file of the control; until then the value is assumed"));
     return false;
   }
 }
@@ -95,20 +95,20 @@ std::optional<double> MachineDraft::number(std::string_view text, const GivenVal
   const TypedNumber number = typed_number(text);
   if (!number.value) {
     note(Severity::error, given.place, "not-a-number",
-         number.problem.empty() ? fmt::format("{}: '{}' is not a number", given.what, text)
-                                : fmt::format("{}: {}", given.what, number.problem),
-         "correct the file of the control; until then the value is assumed");
+         number.problem.empty() ? message(NC_("core", "{}: '{}' is not a number"), given.what, text)
+                                : at_place(given.what, number.problem),
+         NC_("core", "correct the file of the control; until then the value is assumed"));
   }
   return number.value;
 }
 
-void MachineDraft::note(Severity severity, const ConfigurationPlace& place, const char* code,
-                        std::string message, std::string hint) {
+void MachineDraft::note(Severity severity, const ConfigurationPlace& place, const char* code, Message what,
+                        Message hint) {
   Diagnostic note;
   note.severity = severity;
   note.line = place.line;
   note.code = code;
-  note.message = std::move(message);
+  note.message = std::move(what);
   note.hint = std::move(hint);
   note.file = place.file;
   imported_.notes.push_back(std::move(note));
@@ -130,7 +130,8 @@ void MachineDraft::list_what_is_left_out() {
       "{}", fmt::join(left_out_.begin(), left_out_.begin() + static_cast<std::ptrdiff_t>(named), ", "));
   const std::size_t rest = left_out_.size() - named;
   note(Severity::info, {}, "not-used",
-       rest == 0 ? fmt::format("not used: {}", names) : fmt::format("not used: {} and {} more", names, rest));
+       rest == 0 ? message(NC_("core", "not used: {}"), names)
+                 : message(NC_("core", "not used: {} and {} more"), names, rest));
 }
 
 std::string MachineDraft::place_text(const ConfigurationPlace& place) const {
@@ -189,8 +190,8 @@ void MachineDraft::close_notes() {
   const std::vector<Diagnostic> rest(notes.begin() + most_notes, notes.end());
   notes.resize(most_notes);
   note(std::ranges::max(rest, {}, &Diagnostic::severity).severity, {}, "more-notes",
-       fmt::format("{} more notes are not listed", rest.size()),
-       "correct what is listed, and import the file once more");
+       message(NC_("core", "{} more notes are not listed"), rest.size()),
+       NC_("core", "correct what is listed, and import the file once more"));
 }
 
 ImportedMachine MachineDraft::finish(std::string kind, const UsualLimits& usual) {

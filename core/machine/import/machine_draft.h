@@ -48,8 +48,8 @@ class MachineDraft {
 
   /// Parses a number of the configuration; an invalid one is an error in the notes.
   std::optional<double> number(std::string_view text, const GivenValue& given);
-  void note(Severity severity, const ConfigurationPlace& place, const char* code, std::string message,
-            std::string hint = "");
+  void note(Severity severity, const ConfigurationPlace& place, const char* code, Message what,
+            Message hint = {});
   /// Records an unused value of the file; finish() lists all of them in one note.
   void leave_out(const std::string& name);
   /// Place as text for messages about a second place: "my.ini, line 5".

@@ -1,8 +1,5 @@
 #include "core/machine/import/machine_import.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <array>
 #include <fstream>
@@ -59,12 +56,13 @@ ImportedMachine import_from(std::string_view bytes, const fs::path& folder, cons
   const std::string text = utf8_text(bytes);
   const ConfigurationFormat* format = format_of(text);
   if (format == nullptr) {
-    std::vector<std::string> kinds;
+    std::vector<Message> kinds;
     for (const ConfigurationFormat* known : formats) {
-      kinds.emplace_back(known->kind);
+      kinds.emplace_back(Translatable{known->kind});
     }
-    throw InputError(fmt::format("'{}' is not the configuration of a control that can be imported; known: {}",
-                                 name, fmt::join(kinds, ", ")));
+    throw InputError(
+        message(NC_("core", "'{}' is not the configuration of a control that can be imported; known: {}"),
+                name, enumerated(kinds)));
   }
   MachineDraft draft(utf8_text(fs::path(name).filename().string()), model_settings);
   draft.machine().id = utf8_text(id_of(name));
@@ -97,7 +95,7 @@ std::string configuration_kind_of(const fs::path& file) {
 }
 
 ImportedMachine import_machine(const fs::path& file, const std::vector<SettingSpec>& model_settings) {
-  const std::string text = file_text(file, "configuration of a control", largest_configuration);
+  const std::string text = file_text(file, NC_("core", "configuration of a control"), largest_configuration);
   const fs::path folder = file.parent_path();
   return import_from(text, folder.empty() ? fs::path(".") : folder, file.string(), model_settings);
 }

@@ -119,7 +119,7 @@ class MarlinReader {
     const char letter = in_upper_case(word).front();
     if (letter < 'A' || letter > 'Z') {
       draft_.note(Severity::info, place, "not-understood",
-                  fmt::format("{}: '{}' is not a value; it is skipped", code, word));
+                  message(NC_("core", "{}: '{}' is not a value; it is skipped"), code, word));
       return;
     }
     if (letter == 'E') {
@@ -136,9 +136,9 @@ class MarlinReader {
     const auto [before, is_first] = values_.try_emplace({code, letter}, value);
     if (!is_first && before->second.number != value.number) {
       draft_.note(Severity::warning, place, "given-twice",
-                  fmt::format("{}, but {} in {}; {} is used", given.what, before->second.given.what,
-                              draft_.place_text(before->second.given.place), word),
-                  "remove one of the two");
+                  message(NC_("core", "{}, but {} in {}; {} is used"), given.what, before->second.given.what,
+                          draft_.place_text(before->second.given.place), word),
+                  NC_("core", "remove one of the two"));
     }
     before->second = value;
   }
@@ -194,8 +194,8 @@ class MarlinReader {
     const Value* plane = least_of_plane("M201");
     if (path_ != nullptr && plane != nullptr && plane->number < path_->number) {
       draft_.note(Severity::warning, path_->given.place, "limits-contradict",
-                  fmt::format("{} exceeds {} ({}); the lower one is used", path_->given.what,
-                              plane->given.what, draft_.place_text(plane->given.place)));
+                  message(NC_("core", "{} exceeds {} ({}); the lower one is used"), path_->given.what,
+                          plane->given.what, draft_.place_text(plane->given.place)));
       path_ = plane;
     }
     path_ = path_ == nullptr ? plane : path_;
@@ -205,9 +205,11 @@ class MarlinReader {
     }
     const Value* travel = find("M204", 'T');
     if (travel != nullptr && path_ != nullptr && travel->number != path_->number) {
-      draft_.note(Severity::info, travel->given.place, "not-modelled",
-                  fmt::format("acceleration of travel moves {} is not modelled: they have that of the others",
-                              travel->given.what));
+      draft_.note(
+          Severity::info, travel->given.place, "not-modelled",
+          message(
+              NC_("core", "acceleration of travel moves {} is not modelled: they have that of the others"),
+              travel->given.what));
     }
   }
 
@@ -242,9 +244,10 @@ class MarlinReader {
     draft_.assume("refuse", "off", fmt::format("{} keeps G words modal, unlike Klipper", control));
     draft_.note(
         Severity::warning, {}, "not-modelled",
-        fmt::format("there is no model of {}: Klipper's runs its limits; its look-ahead has no end, while "
-                    "that of the firmware has some 16 blocks, so that short blocks may take longer there",
-                    control));
+        message(NC_("core",
+                    "there is no model of {}: Klipper's runs its limits; its look-ahead has no end, while "
+                    "that of the firmware has some 16 blocks, so that short blocks may take longer there"),
+                control));
   }
 
   MachineDraft draft_;

@@ -1,7 +1,5 @@
 #include "core/machine/import/numbered_parameters.h"
 
-#include <fmt/format.h>
-
 namespace feedscope {
 
 void NumberedParameters::add(int number, int axis, Entry entry, MachineDraft& draft) {
@@ -11,9 +9,9 @@ void NumberedParameters::add(int number, int axis, Entry entry, MachineDraft& dr
   }
   if (before->second.value != entry.value) {
     draft.note(Severity::warning, entry.given.place, "given-twice",
-               fmt::format("{}, but {} in {}; {} is used", entry.given.what, before->second.value,
-                           draft.place_text(before->second.given.place), entry.value),
-               "remove one of the two");
+               message(NC_("core", "{}, but {} in {}; {} is used"), entry.given.what, before->second.value,
+                       draft.place_text(before->second.given.place), entry.value),
+               NC_("core", "remove one of the two"));
   }
   before->second = std::move(entry);
 }

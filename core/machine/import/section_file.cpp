@@ -113,7 +113,7 @@ void SectionFile::read_line(const ConfigurationLine& line, const OpenFile& file)
   const std::size_t sign = text.find_first_of(style_ == SectionStyle::klipper ? ":=" : "=");
   if (sign == std::string_view::npos || sign == 0 || text.front() == '[') {
     draft_.note(Severity::warning, place, "not-understood",
-                fmt::format("'{}' is neither a section nor a value; skipped", text));
+                message(NC_("core", "'{}' is neither a section nor a value; skipped"), text));
     return;
   }
   add({section_, std::string(without_blanks(text.substr(0, sign))),
@@ -129,9 +129,9 @@ void SectionFile::add(SectionEntry entry) {
     const bool first_holds = style_ == SectionStyle::linuxcnc;
     draft_.note(
         Severity::warning, entry.place, "given-twice",
-        fmt::format("[{}] {} = {}, but {} in {}; {} is used", entry.section, entry.key, entry.value,
-                    other->value, draft_.place_text(other->place), first_holds ? other->value : entry.value),
-        "remove one of the two");
+        message(NC_("core", "[{}] {} = {}, but {} in {}; {} is used"), entry.section, entry.key, entry.value,
+                other->value, draft_.place_text(other->place), first_holds ? other->value : entry.value),
+        NC_("core", "remove one of the two"));
   }
   if (other == nullptr || style_ == SectionStyle::klipper) {
     holding_[{entry.section, entry.key}] = entries_.size();
@@ -160,9 +160,10 @@ void SectionFile::include_all(const std::string& pattern, const ConfigurationPla
                               const OpenFile& from) {
   if (from.folder.empty() || pattern.empty()) {
     draft_.note(Severity::error, place, "not-included",
-                fmt::format("'{}' cannot be included: {}", pattern,
-                            pattern.empty() ? "no file is named" : "only the text itself is at hand"),
-                "values that stand there are missing here");
+                message(NC_("core", "'{}' cannot be included: {}"), pattern,
+                        pattern.empty() ? NC_("core", "no file is named")
+                                        : NC_("core", "only the text itself is at hand")),
+                NC_("core", "values that stand there are missing here"));
     return;
   }
   const fs::path path = from.folder / pattern;
@@ -179,27 +180,27 @@ void SectionFile::include_all(const std::string& pattern, const ConfigurationPla
 void SectionFile::include_one(const fs::path& file, const std::string& name,
                               const ConfigurationPlace& place) {
   std::error_code ignored;
-  const auto refuse = [&](const std::string& reason) {
+  const auto refuse = [&](const Message& reason) {
     draft_.note(Severity::error, place, "not-included",
-                fmt::format("'{}' cannot be included: {}", name, reason),
-                "values that stand there are missing here");
+                message(NC_("core", "'{}' cannot be included: {}"), name, reason),
+                NC_("core", "values that stand there are missing here"));
   };
   if (std::ranges::any_of(open_, [&](const fs::path& one) { return fs::equivalent(one, file, ignored); })) {
-    refuse("it includes itself");
+    refuse(NC_("core", "it includes itself"));
   } else if (open_.size() >= deepest) {
-    refuse(fmt::format("more than {} files deep", deepest));
+    refuse(message(NC_("core", "more than {} files deep"), deepest));
   } else if (files_ >= most_files) {
-    refuse(fmt::format("more than {} files", most_files));
+    refuse(message(NC_("core", "more than {} files"), most_files));
   } else {
     try {
-      const std::string text = utf8_text(file_text(file, "configuration", largest_included));
+      const std::string text = utf8_text(file_text(file, NC_("core", "configuration"), largest_included));
       const std::string section = section_;
       open_.push_back(file);
       read(text, {name, file.parent_path()});
       open_.pop_back();
       section_ = section;
     } catch (const InputError& error) {
-      refuse(error.what());
+      refuse(error.message());
     }
   }
 }

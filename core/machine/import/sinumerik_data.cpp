@@ -120,9 +120,11 @@ class SinumerikReader {
     draft_.choose_model({"essid"});
     if (const MachineDatum* scaling = find("MN_SCALING_SYSTEM_IS_METRIC");
         scaling != nullptr && scaling->value == "0") {
-      draft_.note(Severity::error, scaling->place, "inch-system",
-                  "the basic system is inch, in which machine data are not imported; all limits are assumed",
-                  "export the machine data with MD10240 = 1");
+      draft_.note(
+          Severity::error, scaling->place, "inch-system",
+          NC_("core",
+              "the basic system is inch, in which machine data are not imported; all limits are assumed"),
+          NC_("core", "export the machine data with MD10240 = 1"));
       return finish();
     }
     for (const AxisInfo& axis : known_axes) {
@@ -141,9 +143,9 @@ class SinumerikReader {
     const auto [before, is_first] = data_.try_emplace(std::move(key), datum);
     if (!is_first && before->second.value != datum.value) {
       draft_.note(Severity::warning, datum.place, "given-twice",
-                  fmt::format("{}, but {} in {}; {} is used", datum.text, before->second.value,
-                              draft_.place_text(before->second.place), datum.value),
-                  "remove one of the two");
+                  message(NC_("core", "{}, but {} in {}; {} is used"), datum.text, before->second.value,
+                          draft_.place_text(before->second.place), datum.value),
+                  NC_("core", "remove one of the two"));
       before->second = std::move(datum);
     }
   }
@@ -155,7 +157,7 @@ class SinumerikReader {
                        std::ranges::any_of(usual, [&](const char* one) { return text.starts_with(one); });
     if (!known) {
       draft_.note(Severity::info, {line.number, ""}, "not-understood",
-                  fmt::format("'{}' is no machine datum; skipped", text));
+                  message(NC_("core", "'{}' is no machine datum; skipped"), text));
     }
   }
 
@@ -245,9 +247,10 @@ class SinumerikReader {
     const std::vector<std::string> names = machine_axis(axis);
     const MachineDatum* rotary = of_axis("MA_IS_ROT_AX", names);
     if (rotary != nullptr && (rotary->value == "1" || in_upper_case(rotary->value) == "TRUE")) {
-      draft_.note(Severity::warning, rotary->place, "axis-skipped",
-                  fmt::format("machine axis {} would be {} but is a rotary axis; its limits are assumed",
-                              names.front(), axis));
+      draft_.note(
+          Severity::warning, rotary->place, "axis-skipped",
+          message(NC_("core", "machine axis {} would be {} but is a rotary axis; its limits are assumed"),
+                  names.front(), axis));
       return;
     }
     for (const AxisDatum& wanted : axis_data) {
@@ -260,8 +263,8 @@ class SinumerikReader {
     read_drive(axis, names);
     if (assumed_axes_ && !std::exchange(told_, true)) {
       draft_.note(Severity::info, {}, "axes-assumed",
-                  "which machine axes X, Y and Z are is not told; AX1, AX2 and AX3 are assumed",
-                  "add MD20050 to MD20080 of the channel");
+                  NC_("core", "which machine axes X, Y and Z are is not told; AX1, AX2 and AX3 are assumed"),
+                  NC_("core", "add MD20050 to MD20080 of the channel"));
     }
   }
 
@@ -276,9 +279,9 @@ class SinumerikReader {
           find(fmt::format("{}|{}|{}", used.name, mode, in_upper_case(used.indices.back())));
       if (other != nullptr && other->value != used.value) {
         draft_.note(Severity::info, other->place, "other-mode",
-                    fmt::format("{} holds with {}; the value of DYNNORM, {}, is used", other->text,
-                                modes[mode], used.value),
-                    "change it in the machine file for programs that finish with another mode");
+                    message(NC_("core", "{} holds with {}; the value of DYNNORM, {}, is used"), other->text,
+                            std::string_view(modes[mode]), used.value),
+                    NC_("core", "change it in the machine file for programs that finish with another mode"));
       }
     }
   }

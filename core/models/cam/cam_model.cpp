@@ -16,7 +16,7 @@ const ModelInfo& CamModel::info() const {
                         "dwells as programmed: the time that a CAM system predicts."),
       {},
       {},
-      {QT_TRANSLATE_NOOP("core", "A rapid keeps the velocity limit of every axis.")}};
+      {NC_("core", "A rapid keeps the velocity limit of every axis.")}};
   return info;
 }
 

@@ -56,11 +56,11 @@ const ModelInfo& EssidModel::info() const {
         {"contour_tolerance_mm", "program_tolerance", "interpolation_period_s", "lookahead_blocks",
          "radial_acceleration_share", "radial_jerk_share", "merge_collinear_mm", "block_time_ms",
          "exact_stop_window_um"},
-        {QT_TRANSLATE_NOOP("core",
-                           "reading corrected, published: at the entry of a blend the radial shares of "
-                           "acceleration and jerk are kept. Further on, with equal axes and shares of 0.2, "
-                           "the acceleration stays within 1.01 and the jerk within 2.2 times the limit; the "
-                           "curvature grows up to five times, and other axes bear it.")}};
+        {NC_("core",
+             "reading corrected, published: at the entry of a blend the radial shares of "
+             "acceleration and jerk are kept. Further on, with equal axes and shares of 0.2, "
+             "the acceleration stays within 1.01 and the jerk within 2.2 times the limit; the "
+             "curvature grows up to five times, and other axes bear it.")}};
   }();
   return info;
 }

@@ -107,7 +107,7 @@ const ModelInfo& GassaraModel::info() const {
       {"contour_tolerance_mm", "program_tolerance", "interpolation_period_s", "lookahead_blocks",
        "radial_acceleration_share", "radial_jerk_share", "merge_collinear_mm", "block_time_ms",
        "exact_stop_window_um"},
-      {QT_TRANSLATE_NOOP(
+      {NC_(
           "core",
           "On blends the shares of the least acceleration and jerk of the axes are kept: of the acceleration "
           "R_A across and 1 - R_A along the path, of the jerk R_J across and 1 - R_J along it.")},

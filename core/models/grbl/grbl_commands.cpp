@@ -110,17 +110,17 @@ class Collector {
   std::optional<GrblError> take(const Table& table, int code, std::string name) {
     const auto* const found = std::ranges::find(table, code, &Command::code);
     if (found == table.end()) {
-      return GrblError{20, std::move(name)};
+      return GrblError{20, Message::as_written(std::move(name))};
     }
     if (found->group >= 0) {
       if ((groups_ >> found->group & 1U) != 0) {
-        return GrblError{21, std::move(name)};
+        return GrblError{21, Message::as_written(std::move(name))};
       }
       groups_ |= 1U << found->group;
     }
     if (found->axes != Axes::none) {
       if (asked_.axes != Axes::none) {
-        return GrblError{24, std::move(name)};
+        return GrblError{24, Message::as_written(std::move(name))};
       }
       asked_.axes = found->axes;
     }

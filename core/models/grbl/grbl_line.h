@@ -7,16 +7,18 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
+
 namespace feedscope {
 
 /// Error by which grbl rejects a line: number of its message "error:N", and the word or value concerned.
 struct GrblError {
   int number = 0;
-  std::string about = {};
+  Message about = {};
 };
 
 /// Meaning of an error of grbl 1.1, in our words.
-std::string_view grbl_error_text(int number);
+Translatable grbl_error_text(int number);
 
 /// One line as read by grbl: its commands and values.
 struct GrblLine {

@@ -103,10 +103,10 @@ const ModelInfo& GrblModel::info() const {
           "stop within them, so that short blocks are slow. Lines that it does not understand are not run."),
       own_settings(),
       {},
-      {QT_TRANSLATE_NOOP("core", "No jerk is limited, and in corners the velocity of an axis jumps."),
-       QT_TRANSLATE_NOOP("core",
-                         "Corners between rapids and feed motions follow the rule of all corners; the tool "
-                         "does not stop there.")},
+      {NC_("core", "No jerk is limited, and in corners the velocity of an axis jumps."),
+       NC_("core",
+           "Corners between rapids and feed motions follow the rule of all corners; the tool "
+           "does not stop there.")},
       {.jumps_in_corners = true,
        .stops_within = "buffer_blocks",
        .sources = {{FormulaId::junction_deviation, "grbl 1.1, junction deviation $11"},

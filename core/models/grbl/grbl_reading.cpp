@@ -84,8 +84,11 @@ class GrblReader {
     note.severity = Severity::info;
     note.line = number_;
     note.code = "refused";
-    note.message = fmt::format("grbl rejects the line (error {}: {}{}); it is not run", error.number,
-                               error.about.empty() ? "" : error.about + ": ", grbl_error_text(error.number));
+    note.message = error.about.empty()
+                       ? message(NC_("core", "grbl rejects the line (error {}: {}); it is not run"),
+                                 error.number, grbl_error_text(error.number))
+                       : message(NC_("core", "grbl rejects the line (error {}: {}: {}); it is not run"),
+                                 error.number, error.about, grbl_error_text(error.number));
     program_.diagnostics.push_back(std::move(note));
   }
 
@@ -110,11 +113,11 @@ class GrblReader {
       return fault;
     }
     if (line_.value('T').value_or(0) > 255) {
-      return GrblError{38, "T"};
+      return GrblError{38, Message::as_written("T")};
     }
     if (asked.dwell) {
       if (!line_.has('P')) {
-        return GrblError{28, "P of G4"};
+        return GrblError{28, NC_("core", "P of G4")};
       }
       used_ += 'P';
     }
@@ -123,7 +126,7 @@ class GrblReader {
     }
     for (char letter = 'A'; letter <= 'Z'; ++letter) {
       if (line_.has(letter) && used_.find(letter) == std::string::npos) {
-        return GrblError{36, std::string(1, letter)};
+        return GrblError{36, Message::as_written(std::string(1, letter))};
       }
     }
     execute(asked, values);
@@ -135,7 +138,7 @@ class GrblReader {
     if (asked.modes.inverse_time) {
       const bool cuts = asked.axes == Axes::motion && asked.modes.motion != 80 && asked.modes.motion != 0;
       if (cuts && !word) {
-        return GrblError{22, "F of G93"};
+        return GrblError{22, NC_("core", "F of G93")};
       }
       values.feed = word.value_or(0);
     } else if (word) {
@@ -161,7 +164,7 @@ class GrblReader {
         return check_offset(asked, values);
       case Axes::shift:
         if (!axis_words) {
-          return GrblError{26, "G92"};
+          return GrblError{26, Message::as_written("G92")};
         }
         for (std::size_t i = 0; i < 3; ++i) {
           const std::optional<float>& word = line_.value(axis_letter(i));
@@ -173,7 +176,7 @@ class GrblReader {
         break;
       case Axes::tool_length:
         if (!line_.has('Z') || line_.has('X') || line_.has('Y')) {
-          return GrblError{37, "G43.1"};
+          return GrblError{37, Message::as_written("G43.1")};
         }
         values.tool_length = *line_.value('Z') * unit(asked.modes);
         break;
@@ -185,18 +188,18 @@ class GrblReader {
 
   Fault check_offset(const GrblCommands& asked, Values& values) {
     if (!has_axis_words()) {
-      return GrblError{26, "G10"};
+      return GrblError{26, Message::as_written("G10")};
     }
     if (!line_.has('L') || !line_.has('P')) {
-      return GrblError{28, "L or P of G10"};
+      return GrblError{28, NC_("core", "L or P of G10")};
     }
     const auto p = static_cast<int>(*line_.value('P'));
     const auto l = static_cast<int>(*line_.value('L'));
     if (p < 0 || p > 6) {
-      return GrblError{29, "P of G10"};
+      return GrblError{29, NC_("core", "P of G10")};
     }
     if (l != 2 && l != 20) {
-      return GrblError{20, fmt::format("G10 L{}", l)};
+      return GrblError{20, Message::as_written(fmt::format("G10 L{}", l))};
     }
     used_ += "LP";
     values.set_offset = p == 0 ? asked.modes.offset : static_cast<std::size_t>(p - 1);
@@ -227,17 +230,17 @@ class GrblReader {
   Fault check_motion(const GrblCommands& asked, Values& values) {
     const int motion = asked.modes.motion;
     if (asked.machine_place && motion != 0 && motion != 1) {
-      return GrblError{30, "G53"};
+      return GrblError{30, Message::as_written("G53")};
     }
     if (motion == 80) {
-      return GrblError{31, "G80"};
+      return GrblError{31, Message::as_written("G80")};
     }
     values.moves = has_axis_words();
     if (motion == 0) {
       return std::nullopt;
     }
     if (values.feed == 0) {
-      return GrblError{22, "F"};
+      return GrblError{22, Message::as_written("F")};
     }
     if (motion == 2 || motion == 3) {
       GrblArc& arc = values.arc;
@@ -247,7 +250,7 @@ class GrblReader {
       arc.clockwise = motion == 2;
       return read_arc_words(line_, unit(asked.modes), arc, used_);
     }
-    return motion == 38 && !values.moves ? Fault(GrblError{26, "G38"}) : std::nullopt;
+    return motion == 38 && !values.moves ? Fault(GrblError{26, Message::as_written("G38")}) : std::nullopt;
   }
 
   // --- what the line does ---

@@ -1,7 +1,5 @@
 #include "core/models/klipper/klipper_limits.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace feedscope {
@@ -10,7 +8,7 @@ namespace {
 /// Reads the numbers of one line; its fault is the first number that Klipper would reject.
 class LimitWords {
  public:
-  LimitWords(const KlipperLine& line, std::string& fault) : line_(line), fault_(fault) {}
+  LimitWords(const KlipperLine& line, Message& fault) : line_(line), fault_(fault) {}
 
   std::optional<double> above_zero(std::string_view key) {
     return take(key, [](double value) { return value > 0; });
@@ -34,13 +32,13 @@ class LimitWords {
       return value;
     }
     if (fault_.empty()) {
-      fault_ = fmt::format("invalid value of {}", key);
+      fault_ = message(NC_("core", "invalid value of {}"), key);
     }
     return std::nullopt;
   }
 
   const KlipperLine& line_;
-  std::string& fault_;
+  Message& fault_;
 };
 
 /// M204 S, or the lower of P and T; P or T alone changes nothing.
@@ -56,7 +54,7 @@ KlipperLimitChange of_m204(const KlipperLine& line) {
   if (print && travel) {
     change.acceleration = std::min(*print, *travel);
   } else if (change.fault.empty()) {
-    change.fault = "M204 needs S, or P and T";
+    change.fault = NC_("core", "M204 needs S, or P and T");
   }
   return change;
 }

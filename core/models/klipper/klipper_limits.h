@@ -19,7 +19,7 @@ struct KlipperLimitChange {
   std::optional<double> minimum_cruise_ratio;
   /// In older versions instead of the ratio: 1 - this / acceleration [mm/s2].
   std::optional<double> acceleration_to_deceleration;
-  std::string fault;  ///< reason why Klipper rejects the line; empty: accepted
+  Message fault;  ///< reason why Klipper rejects the line; empty: accepted
 
   void apply(KlipperSettings& limits) const;
 };

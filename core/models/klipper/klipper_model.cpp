@@ -168,10 +168,10 @@ const ModelInfo& KlipperModel::info() const {
           "and a part of every way is kept for constant speed. Every line must begin with its command."),
       own_settings(),
       {},
-      {QT_TRANSLATE_NOOP("core", "No jerk is limited, and in corners the velocity of an axis jumps."),
-       QT_TRANSLATE_NOOP("core",
-                         "Rapids are lines at the feed in force; those of a program that is run as it is "
-                         "meant run at the maximum velocity.")},
+      {NC_("core", "No jerk is limited, and in corners the velocity of an axis jumps."),
+       NC_("core",
+           "Rapids are lines at the feed in force; those of a program that is run as it is "
+           "meant run at the maximum velocity.")},
       {.jumps_in_corners = true,
        .along_path = true,
        .sources = {{FormulaId::square_corner, "Klipper, square corner velocity"},

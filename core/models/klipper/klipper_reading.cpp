@@ -1,7 +1,5 @@
 #include "core/models/klipper/klipper_reading.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +16,7 @@ namespace feedscope {
 namespace {
 
 /// Reason why a line is not run; empty: it is run.
-using Refusal = std::string;
+using Refusal = Message;
 
 /// Known commands of printers that neither move nor wait for motion.
 constexpr std::array<std::string_view, 26> without_motion{"G21",
@@ -79,7 +77,7 @@ class KlipperReader {
     note.severity = Severity::info;
     note.line = number_;
     note.code = "refused";
-    note.message = fmt::format("Klipper rejects the line ({}); it is not run", why);
+    note.message = message(NC_("core", "Klipper rejects the line ({}); it is not run"), why);
     program_.diagnostics.push_back(std::move(note));
   }
 
@@ -99,7 +97,7 @@ class KlipperReader {
       return {};
     }
     if (command == "G20") {
-      return "G20: inches are not supported";
+      return NC_("core", "G20: inches are not supported");
     }
     if (command == "G90" || command == "G91") {
       incremental_ = command == "G91";
@@ -126,7 +124,7 @@ class KlipperReader {
       return change->fault;
     }
     const bool known = std::ranges::find(without_motion, command) != without_motion.end();
-    return known ? Refusal() : fmt::format("unknown command {}", command);
+    return known ? Refusal() : message(NC_("core", "unknown command {}"), command);
   }
 
   /// Brings the feed of the line into force; returns its fault.
@@ -136,7 +134,7 @@ class KlipperReader {
     }
     const std::optional<double> feed = line_.number("F");
     if (!feed || !(*feed > 0)) {
-      return "invalid speed F";
+      return NC_("core", "invalid speed F");
     }
     constexpr double seconds_a_minute = 60;
     speed_ = *feed * factor_ / seconds_a_minute;
@@ -152,7 +150,7 @@ class KlipperReader {
       }
       const std::optional<double> value = line_.number(letter);
       if (!value) {
-        return fmt::format("{} has no number", letter);
+        return message(NC_("core", "{} has no number"), letter);
       }
       target[axis] = *value + (incremental_ ? place_[axis] : origin_[axis]);
     }
@@ -195,10 +193,10 @@ class KlipperReader {
     static constexpr std::array<std::array<int, 3>, 3> planes{{{0, 1, 2}, {0, 2, 1}, {1, 2, 0}}};
     const auto [a, b, third] = planes[static_cast<std::size_t>(plane_)];
     if (incremental_) {
-      return "arcs need absolute coordinates";
+      return NC_("core", "arcs need absolute coordinates");
     }
     if (line_.has("R")) {
-      return "arcs by radius are not supported";
+      return NC_("core", "arcs by radius are not supported");
     }
     Vec3 target = place_;
     std::array<double, 2> offset{};
@@ -206,7 +204,7 @@ class KlipperReader {
       const std::string_view letter = std::string_view("XYZ").substr(static_cast<std::size_t>(axis), 1);
       const std::optional<double> value = line_.number(letter);
       if (line_.has(letter) && !value) {
-        return fmt::format("{} has no number", letter);
+        return message(NC_("core", "{} has no number"), letter);
       }
       target[axis] = value ? *value + origin_[axis] : place_[axis];
     }
@@ -215,7 +213,7 @@ class KlipperReader {
                       .value_or(0);
     }
     if (offset[0] == 0 && offset[1] == 0) {
-      return "centre offsets of the plane are missing";
+      return NC_("core", "centre offsets of the plane are missing");
     }
     if (Refusal why = take_feed(); !why.empty()) {
       return why;
@@ -287,7 +285,7 @@ class KlipperReader {
     constexpr double milliseconds = 1000;
     const double time = line_.has("P") ? line_.number("P").value_or(-1) : 0;
     if (time < 0) {
-      return "invalid time P";
+      return NC_("core", "invalid time P");
     }
     wait(time / milliseconds);
     return {};
@@ -302,7 +300,7 @@ class KlipperReader {
       if (line_.has(letter)) {
         const std::optional<double> value = line_.number(letter);
         if (!value) {
-          return fmt::format("{} has no number", letter);
+          return message(NC_("core", "{} has no number"), letter);
         }
         origin_[axis] = place_[axis] - *value;
         any = true;
@@ -321,7 +319,7 @@ class KlipperReader {
     constexpr double percent = 100;
     const double factor = line_.number("S").value_or(percent) / percent;
     if (!(factor > 0)) {
-      return "invalid factor S";
+      return NC_("core", "invalid factor S");
     }
     speed_ *= factor / factor_;
     factor_ = factor;

@@ -142,13 +142,12 @@ const ModelInfo& LinuxCncModel::info() const {
           "kept back for blends."),
       linuxcnc_settings(),
       {program_tolerance_key},
-      {QT_TRANSLATE_NOOP(
-           "core",
+      {NC_("core",
            "No jerk is limited, and where blocks meet within a small kink the velocity of an axis jumps."),
-       QT_TRANSLATE_NOOP("core",
-                         "The time runs from the first to the last motion: a dwell before or behind all of "
-                         "it is not counted."),
-       QT_TRANSLATE_NOOP("core", "Rapids blend among each other; next to a feed motion they stop.")},
+       NC_("core",
+           "The time runs from the first to the last motion: a dwell before or behind all of "
+           "it is not counted."),
+       NC_("core", "Rapids blend among each other; next to a feed motion they stop.")},
       {.jumps_in_corners = true,
        .joints_take_acceleration = true,
        .sources = {

@@ -51,12 +51,12 @@ const ModelInfo& MsaddekModel::info() const {
         {"contour_tolerance_mm", "program_tolerance", "interpolation_period_s", "lookahead_blocks",
          "curvilinear_jerk_m_s3", "tangential_share", "merge_collinear_mm", "block_time_ms",
          "exact_stop_window_um"},
-        {QT_TRANSLATE_NOOP("core",
-                           "Points that compaction omits stay within the tolerance of the chord; a corner "
-                           "blend may deviate from the chord in addition."),
-         QT_TRANSLATE_NOOP("core",
-                           "law dynamic: where curvature jumps, the acceleration changes within one "
-                           "interpolation period by what the axis jerk allows.")},
+        {NC_("core",
+             "Points that compaction omits stay within the tolerance of the chord; a corner "
+             "blend may deviate from the chord in addition."),
+         NC_("core",
+             "law dynamic: where curvature jumps, the acceleration changes within one "
+             "interpolation period by what the axis jerk allows.")},
         {.ramps_share_corners = false,
          .sources = {{FormulaId::radial_acceleration, "Msaddek 2011, eq 11"},
                      {FormulaId::radial_jerk, "Msaddek 2011, eq 15"},

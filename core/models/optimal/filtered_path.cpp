@@ -1,7 +1,5 @@
 #include "core/models/optimal/filtered_path.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -228,9 +226,10 @@ void FilteredPath::put(const Place& place) {
     const std::size_t most = curves_for_any + curves_a_block * run_.path().size();
     if (++curves_ > most) {
       throw InputError(
-          fmt::format("setting path: the path of ward needs more than {} curves to be approximated within {} "
-                      "mm, up to line {}; choose the path of another model",
-                      most, error_, run_.path().programmed()->segments[block_].line));
+          message(NC_("core",
+                      "setting path: the path of ward needs more than {} curves to be approximated within {} "
+                      "mm, up to line {}; choose the path of another model"),
+                  most, error_, run_.path().programmed()->segments[block_].line));
     }
   } else {
     turns_back = !place.stands && !last_.stands && knots_.back().tangent.dot(knot.tangent) <= min_cosine;

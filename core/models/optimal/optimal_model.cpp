@@ -74,16 +74,15 @@ ModelInfo make_info() {
   };
   info.settings.insert(info.settings.begin(), {path, jerk});
   info.remarks = {
-      QT_TRANSLATE_NOOP("core",
-                        "On blends that nearly reverse, limits were exceeded by up to 5 % (acceleration) and "
-                        "a third (jerk)."),
-      QT_TRANSLATE_NOOP("core",
-                        "On the path of ward, jerk=on keeps the jerk except for short peaks where an arc "
-                        "begins from a standstill."),
-      QT_TRANSLATE_NOOP("core", "Stops only where the path itself has a kink, a reversal or a dwell."),
-      QT_TRANSLATE_NOOP("core", "Kinks of up to 0.01 rad at arcs are treated as tangent, as in every model."),
-      QT_TRANSLATE_NOOP(
-          "core",
+      NC_("core",
+          "On blends that nearly reverse, limits were exceeded by up to 5 % (acceleration) and a third "
+          "(jerk)."),
+      NC_("core",
+          "On the path of ward, jerk=on keeps the jerk except for short peaks where an arc begins from a "
+          "standstill."),
+      NC_("core", "Stops only where the path itself has a kink, a reversal or a dwell."),
+      NC_("core", "Kinks of up to 0.01 rad at arcs are treated as tangent, as in every model."),
+      NC_("core",
           "Where rotary axes turn the bound is not strict: they hold the tip over each whole block "
           "by their fastest place, along curves and where blocks meet by their velocity and by "
           "what turning takes, not while the tip speeds up; turns between operations take the "

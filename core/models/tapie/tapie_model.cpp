@@ -20,11 +20,11 @@ const ModelInfo& TapieModel::info() const {
       {},
       {"interpolation_period_s", "lookahead_blocks", "curvilinear_jerk_m_s3", "tangential_share",
        "merge_collinear_mm", "block_time_ms", "exact_stop_window_um"},
-      {QT_TRANSLATE_NOOP("core",
-                         "On arcs the tangential and the radial acceleration each keep the axis limits at "
-                         "the place where the steady feed is reached, and so do the two parts of the jerk "
-                         "along the path, v'' and v^3 k^2; their sum may exceed them, and elsewhere on the "
-                         "arc the radial acceleration and v^3 k^2 too, as measured there.")},
+      {NC_("core",
+           "On arcs the tangential and the radial acceleration each keep the axis limits at "
+           "the place where the steady feed is reached, and so do the two parts of the jerk "
+           "along the path, v'' and v^3 k^2; their sum may exceed them, and elsewhere on the "
+           "arc the radial acceleration and v^3 k^2 too, as measured there.")},
       {.at_steady_place = true}};
   return info;
 }

@@ -98,16 +98,15 @@ const ModelInfo& WardModel::info() const {
         with_smoothed_points({filters, jerk, time, enforce}),
         {"contour_tolerance_mm", "program_tolerance", "merge_collinear_mm", "block_time_ms",
          "exact_stop_window_um"},
-        {QT_TRANSLATE_NOOP(
-             "core",
+        {NC_("core",
              "A filtered velocity is an average of commanded ones, which keeps the axes' velocities."),
-         QT_TRANSLATE_NOOP("core",
-                           "Acceleration and jerk follow from the filters alone: a change of feed dF takes "
-                           "the jerk dF/T1^2; axis limits are not considered."),
-         QT_TRANSLATE_NOOP("core", "With three filters the jerk is continuous, too."),
-         QT_TRANSLATE_NOOP("core",
-                           "Tolerance 0: full stops in every corner; on arcs the path is still inside the "
-                           "programmed one, by the amount that the filters reduce the radius.")}};
+         NC_("core",
+             "Acceleration and jerk follow from the filters alone: a change of feed dF takes "
+             "the jerk dF/T1^2; axis limits are not considered."),
+         NC_("core", "With three filters the jerk is continuous, too."),
+         NC_("core",
+             "Tolerance 0: full stops in every corner; on arcs the path is still inside the "
+             "programmed one, by the amount that the filters reduce the radius.")}};
   }();
   return info;
 }

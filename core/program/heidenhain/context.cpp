@@ -1,7 +1,5 @@
 #include "core/program/heidenhain/context.h"
 
-#include <fmt/format.h>
-
 #include "core/base/units.h"
 #include "core/program/text/message.h"
 #include "core/program/text/read_fault.h"
@@ -58,37 +56,38 @@ double Context::unset_value(const QName& name) {
     }
     report(Severity::info, "unset-parameter", name.number, name.column, [&] {
       return DiagnosticLog::Text{
-          fmt::format("{} is the angle of a rotary axis that the control calculates for a tilted plane",
-                      name.text()),
-          "0 is used; X, Y and Z are shown in the tilted plane"};
+          message(
+              NC_("core", "{} is the angle of a rotary axis that the control calculates for a tilted plane"),
+              name.text()),
+          NC_("core", "0 is used; X, Y and Z are shown in the tilted plane")};
     });
     return 0;
   }
   if (name.kind == QName::Kind::global && name.number == tool_radius) {
     report(Severity::warning, "unset-parameter", name.number, name.column, [&] {
       return DiagnosticLog::Text{
-          "the tool radius Q108 is not known",
-          fmt::format(
-              "0 is used; give it as an import option (--tool {}=RADIUS) or in a tool table, or write a TOOL "
-              "DEF with R before the tool call",
-              CutterRadii::key(modal.tool))};
+          NC_("core", "the tool radius Q108 is not known"),
+          message(NC_("core",
+                      "0 is used; give it as an import option (--tool {}=RADIUS) or in a tool table, or "
+                      "write a TOOL DEF with R before the tool call"),
+                  CutterRadii::key(modal.tool))};
     });
     return 0;
   }
   report(Severity::warning, "unset-parameter", static_cast<int>(name.kind) * 10000 + name.number, name.column,
          [&] {
            return DiagnosticLog::Text{
-               fmt::format("{} has no value", name.text()),
-               "0 is used; the control may still have another value, assign one first"};
+               message(NC_("core", "{} has no value"), name.text()),
+               NC_("core", "0 is used; the control may still have another value, assign one first")};
          });
   return 0;
 }
 
-void throw_unread_words(Scanner& scanner, std::string_view where) {
+void throw_unread_words(Scanner& scanner, const Message& where) {
   const std::uint32_t column = scanner.column();
   throw ReadFault{"unread-word", column,
-                  fmt::format("{} is not valid in {}", in_quotes(scanner.rest()), where),
-                  "the block is skipped; correct it"};
+                  message(NC_("core", "{} is not valid in {}"), in_quotes(scanner.rest()), where),
+                  NC_("core", "the block is skipped; correct it")};
 }
 
 BlockPlace Part::contour_place(std::uint32_t column, std::uint8_t axes) const {

@@ -43,7 +43,7 @@ struct Context {
 };
 
 /// Throws ReadFault "unread-word" about the rest of the statement, which does not belong in `where`.
-[[noreturn]] void throw_unread_words(Scanner& scanner, std::string_view where);
+[[noreturn]] void throw_unread_words(Scanner& scanner, const Message& where);
 
 /// Short names for the shared state, for the parts of the readers.
 class Part {

@@ -43,7 +43,7 @@ class Part {
   }
   /// Returns true, with a report, if the block lacks word `letter`, which G word `g` needs; `effect`
   /// describes the consequence.
-  bool lacks(MessageCode code, char letter, int g, std::uint32_t column, std::string_view effect) const;
+  bool lacks(MessageCode code, char letter, int g, std::uint32_t column, Translatable effect) const;
 
   BlockWords& words_;
   ModalState& modal_;

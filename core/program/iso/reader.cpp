@@ -1,7 +1,5 @@
 #include "core/program/iso/reader.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -112,9 +110,10 @@ bool IsoReader::report_klipper_command(const Scanner& scan) {
   }
   const bool limits = letters::same(name, "SET_VELOCITY_LIMIT");
   machining().report(limits ? Severity::info : Severity::warning, "unread-statement", limits ? 2 : 3, 1, [&] {
-    return limits ? Text{"SET_VELOCITY_LIMIT is a command of Klipper", "only the model klipper follows it"}
-                  : Text{fmt::format("{} is a command or macro of Klipper", name),
-                         "what it moves is not known and missing"};
+    return limits ? Text{NC_("core", "SET_VELOCITY_LIMIT is a command of Klipper"),
+                         NC_("core", "only the model klipper follows it")}
+                  : Text{message(NC_("core", "{} is a command or macro of Klipper"), name),
+                         NC_("core", "what it moves is not known and missing")};
   });
   return true;
 }
@@ -190,8 +189,8 @@ void IsoReader::gather(const Block& block) {
     }
     if (words.has(word.letter) && !words.macro_call) {
       report(Severity::error, "duplicate-word", 0, word.column, [&] {
-        return Text{fmt::format("{} is programmed twice in this block", word.letter),
-                    fmt::format("{} is used; remove the other", in_quotes(block.text_of(word)))};
+        return Text{message(NC_("core", "{} is programmed twice in this block"), word.letter),
+                    message(NC_("core", "{} is used; remove the other"), in_quotes(block.text_of(word)))};
       });
     }
     words.set(word);
@@ -276,8 +275,8 @@ void IsoReader::set_data(std::uint32_t column) {
       break;
     default:
       report(Severity::warning, "unread-g", 100, column, [&] {
-        return Text{fmt::format("G10 L{} (data setting) is not supported", kind),
-                    "the path is shown without it"};
+        return Text{message(NC_("core", "G10 L{} (data setting) is not supported"), kind),
+                    NC_("core", "the path is shown without it")};
       });
       break;
   }
@@ -297,8 +296,8 @@ bool IsoReader::is_grbl_command(const Block& block) {
                        commands.find(block.text_of(block.faults.front())) != std::string_view::npos;
   if (command) {
     report(Severity::info, "control-command", 0, block.faults.front().column, [&] {
-      return Text{fmt::format("{} is a control command", in_quotes(block.text)),
-                  "it does not change the path"};
+      return Text{message(NC_("core", "{} is a control command"), in_quotes(block.text)),
+                  NC_("core", "it does not change the path")};
     });
   }
   return command;

@@ -1,7 +1,5 @@
 #include "core/program/language/expression.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "core/program/text/message.h"
@@ -16,8 +14,9 @@ constexpr int deepest = 200;
 
 double finite(double value, std::string_view text, std::uint32_t column) {
   if (!std::isfinite(value)) {
-    throw ReadFault{"expression-value", column, fmt::format("{} has no finite value", in_quotes(text)),
-                    "check the values that go into it"};
+    throw ReadFault{"expression-value", column,
+                    message(NC_("core", "{} has no finite value"), in_quotes(text)),
+                    NC_("core", "check the values that go into it")};
   }
   return value;
 }
@@ -34,8 +33,8 @@ bool ExpressionReader::take_operator(Scanner& scanner, std::string_view symbol) 
 void ExpressionReader::expect(Scanner& scanner, char c) {
   const std::uint32_t column = scanner.column();
   if (!scanner.take(c)) {
-    throw ReadFault{"expression", column, fmt::format("\"{}\" is missing here", c),
-                    "check the brackets of the expression"};
+    throw ReadFault{"expression", column, message(NC_("core", "\"{}\" is missing here"), c),
+                    NC_("core", "check the brackets of the expression")};
   }
 }
 
@@ -67,8 +66,9 @@ double ExpressionReader::read_operand(Scanner& scanner) {
     ~Level() { --depth; }
   } const level(depth_);
   if (depth_ > deepest) {
-    throw ReadFault{"expression", column, fmt::format("the expression is nested more than {} deep", deepest),
-                    "split it into several assignments"};
+    throw ReadFault{"expression", column,
+                    message(NC_("core", "the expression is nested more than {} deep"), deepest),
+                    NC_("core", "split it into several assignments")};
   }
   for (const ExpressionGrammar::Prefix& prefix : grammar_.prefixes) {
     if (take_operator(scanner, prefix.text)) {
@@ -96,9 +96,10 @@ double ExpressionReader::primary(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   const std::string_view rest = scanner.rest();
   throw ReadFault{"expression", column,
-                  rest.empty() ? "a value is missing at the end of the expression"
-                               : fmt::format("{} is not a value, variable or function", in_quotes(rest)),
-                  "write a number, a variable or a function here"};
+                  rest.empty()
+                      ? NC_("core", "a value is missing at the end of the expression")
+                      : message(NC_("core", "{} is not a value, variable or function"), in_quotes(rest)),
+                  NC_("core", "write a number, a variable or a function here")};
 }
 
 double ExpressionReader::scaled(Scanner& scanner, double number) {

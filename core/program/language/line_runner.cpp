@@ -1,7 +1,5 @@
 #include "core/program/language/line_runner.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -25,9 +23,10 @@ bool LineRunner::call(std::shared_ptr<const SourceText> text, std::uint32_t line
   if (calls_.size() >= options_.call_depth) {
     log_.add(Severity::error, "call-depth", 0, place(0), [&] {
       return DiagnosticLog::Text{
-          fmt::format("calls are nested more than {} deep", options_.call_depth),
-          "this call is skipped; check whether the subprogram calls itself, or raise the limit with "
-          "--call-depth"};
+          message(NC_("core", "calls are nested more than {} deep"), options_.call_depth),
+          NC_("core",
+              "this call is skipped; check whether the subprogram calls itself, or raise the limit with "
+              "--call-depth")};
     });
     return false;
   }

@@ -1,7 +1,5 @@
 #include "core/program/language/unit_tracker.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -61,16 +59,15 @@ void UnitTracker::finish(DiagnosticLog& log) {
   if (options_.dialect == Dialect::grbl && !inches) {
     return;
   }
-  std::string hint = "give it as an import option: --unit mm or --unit inch";
+  Message hint = NC_("core", "give it as an import option: --unit mm or --unit inch");
   if (inches) {
-    hint = fmt::format(
-        "{:.4g} x {:.4g} x {:.4g} mm cut at {:.4g} mm/min at most look like inches; give --unit inch, or "
-        "--unit mm "
-        "if that is right",
-        cut.size.x(), cut.size.y(), cut.size.z(), units::to_mm_min(cut.feed));
+    hint = message(NC_("core",
+                       "{:.4g} x {:.4g} x {:.4g} mm cut at {:.4g} mm/min at most look like inches; give "
+                       "--unit inch, or --unit mm if that is right"),
+                   cut.size.x(), cut.size.y(), cut.size.z(), units::to_mm_min(cut.feed));
   }
   log.add(Severity::warning, "unit-assumed", 0, {program_.motions[first_motion_].line, 0, {}}, [&] {
-    return DiagnosticLog::Text{"the program does not define its unit; mm is used", hint};
+    return DiagnosticLog::Text{NC_("core", "the program does not define its unit; mm is used"), hint};
   });
 }
 

@@ -1,7 +1,5 @@
 #include "core/program/path/contour_corners.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -57,8 +55,8 @@ void ContourCorners::take(PathMotion motion, Vec3 from) {
 
 void ContourCorners::finish() {
   if (corner_ && !corner_->modal) {
-    report("no line or arc follows in the same plane",
-           "the corner stays sharp; write it between two of them");
+    report(NC_("core", "no line or arc follows in the same plane"),
+           NC_("core", "the corner stays sharp; write it between two of them"));
   }
   corner_.reset();
   if (held_) {
@@ -79,11 +77,12 @@ void ContourCorners::resolve(PathMotion& next, Vec3& from) {
   const bool beside_rapid = held_->motion.block.motion == Motion::rapid || next.block.motion == Motion::rapid;
   if (!in_plane(held_->motion, held_->from) || !in_plane(next, from)) {
     if (!corner_->modal) {
-      report("the adjacent elements leave the working plane", "the corner stays sharp");
+      report(NC_("core", "the adjacent elements leave the working plane"),
+             NC_("core", "the corner stays sharp"));
     }
   } else if (corner_->at_feed_only && beside_rapid) {
     if (!corner_->modal) {
-      report("it is adjacent to a rapid", "the corner stays sharp");
+      report(NC_("core", "it is adjacent to a rapid"), NC_("core", "the corner stays sharp"));
     }
   } else {
     const PlaneElement first = plane_.element_of(held_->motion, plane_.in_plane(held_->from));
@@ -153,8 +152,8 @@ PlaneCorner ContourCorners::largest_piece(const PlaneElement& first, const Plane
     }
   }
   if (largest.fault == CornerFault::none) {
-    report(fmt::format("it does not fit between the adjacent elements; {:.3f} mm are used", fits),
-           "the control reduces it too, by its own rule", Severity::warning);
+    report(message(NC_("core", "it does not fit between the adjacent elements; {:.3f} mm are used"), fits),
+           NC_("core", "the control reduces it too, by its own rule"), Severity::warning);
   }
   return largest;
 }
@@ -166,25 +165,27 @@ void ContourCorners::report(CornerFault fault) const {
       break;
     case CornerFault::reversal:
       if (!corner_->modal) {
-        report("the path turns back at the corner", "the corner stays sharp");
+        report(NC_("core", "the path turns back at the corner"), NC_("core", "the corner stays sharp"));
       }
       break;
     case CornerFault::too_large:
-      report("it does not fit between the adjacent elements", "the corner stays sharp; make it smaller");
+      report(NC_("core", "it does not fit between the adjacent elements"),
+             NC_("core", "the corner stays sharp; make it smaller"));
       break;
     case CornerFault::not_lines:
-      report("it is adjacent to an arc", "the corner stays sharp; a chamfer is supported between two lines");
+      report(NC_("core", "it is adjacent to an arc"),
+             NC_("core", "the corner stays sharp; a chamfer is supported between two lines"));
       break;
   }
 }
 
-void ContourCorners::report(std::string message, std::string hint, Severity severity) const {
+void ContourCorners::report(const Message& what, const Message& hint, Severity severity) const {
   log_.add(severity, "corner", 0, corner_->place, [&] {
     return DiagnosticLog::Text{
-        fmt::format("the {} of {:.3f} mm: {}",
-                    corner_->kind == CornerCut::Kind::rounding ? "rounding" : "chamfer", corner_->size,
-                    message),
-        std::move(hint)};
+        message(NC_("core", "the {} of {:.3f} mm: {}"),
+                corner_->kind == CornerCut::Kind::rounding ? NC_("core", "rounding") : NC_("core", "chamfer"),
+                corner_->size, what),
+        hint};
   });
 }
 

@@ -69,7 +69,7 @@ class ContourCorners {
   PlaneCorner piece_of(const PlaneElement& first, const PlaneElement& second, double size) const;
   PlaneCorner largest_piece(const PlaneElement& first, const PlaneElement& second);
   void write(const PlaneCorner& piece, const PlaneElement& first, const PathMotion& next);
-  void report(std::string message, std::string hint, Severity severity = Severity::error) const;
+  void report(const Message& what, const Message& hint, Severity severity = Severity::error) const;
   void report(CornerFault fault) const;
 
   DiagnosticLog& log_;

@@ -1,7 +1,5 @@
 #include "core/program/path/cutter_compensation.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -169,8 +167,9 @@ void CutterCompensation::enter(const PathMotion& motion, const PlaneElement& con
     return;
   }
   log_.add(Severity::error, "compensation-entry", 0, motion.place, [] {
-    return DiagnosticLog::Text{"cutter radius compensation begins on an arc",
-                               "a straight line leads to the start of the offset arc; begin it on a line"};
+    return DiagnosticLog::Text{
+        NC_("core", "cutter radius compensation begins on an arc"),
+        NC_("core", "a straight line leads to the start of the offset arc; begin it on a line")};
   });
   write(as_line(motion), in_space(path_beside(contour).start, contour_));
   hold(motion, contour, false);
@@ -180,8 +179,8 @@ void CutterCompensation::leave(const PathMotion& motion) {
   watches_ = false;
   if (motion.block.motion == Motion::arc) {
     log_.add(Severity::error, "compensation-exit", 0, motion.place, [] {
-      return DiagnosticLog::Text{"cutter radius compensation ends on an arc",
-                                 "a straight line leads to its end instead; end it on a line"};
+      return DiagnosticLog::Text{NC_("core", "cutter radius compensation ends on an arc"),
+                                 NC_("core", "a straight line leads to its end instead; end it on a line")};
     });
   }
   write(as_line(motion), motion.block.target);
@@ -211,9 +210,10 @@ void CutterCompensation::watch_contour(const PathMotion& motion, const PlaneElem
     const Severity severity = compensation_.rule.looks_ahead ? Severity::error : Severity::warning;
     log_.add(severity, "compensation-gouge", 2, cut.beside, [&] {
       return DiagnosticLog::Text{
-          fmt::format("at this block a tool of radius {:.4f} mm cuts {:.4f} mm into the contour of line {}",
-                      std::abs(left_), cut.depth, motion.place.line),
-          "use a smaller tool, or do not begin the contour in an inside corner"};
+          message(NC_("core",
+                      "at this block a tool of radius {:.4f} mm cuts {:.4f} mm into the contour of line {}"),
+                  std::abs(left_), cut.depth, motion.place.line),
+          NC_("core", "use a smaller tool, or do not begin the contour in an inside corner")};
     });
   }
 }
@@ -416,8 +416,8 @@ void CutterCompensation::write_beside(const PathMotion& motion) {
 
 void CutterCompensation::report_plane(const DiagnosticLog::Place& place) {
   log_.add(Severity::error, "compensation-plane", 0, place, [] {
-    return DiagnosticLog::Text{"the plane changes while cutter radius compensation is on",
-                               "it begins again in the other plane; end it before"};
+    return DiagnosticLog::Text{NC_("core", "the plane changes while cutter radius compensation is on"),
+                               NC_("core", "it begins again in the other plane; end it before")};
   });
 }
 
@@ -425,9 +425,10 @@ void CutterCompensation::report_radius(const PathMotion& motion, double radius) 
   gouges_ = true;
   log_.add(Severity::error, "compensation-gouge", 0, motion.place, [&] {
     return DiagnosticLog::Text{
-        fmt::format("the arc's radius, {:.4f} mm, is smaller than the tool's, {:.4f} mm", radius,
-                    std::abs(left_)),
-        "a straight line to its end is used instead, which cuts into the contour; use a smaller tool"};
+        message(NC_("core", "the arc's radius, {:.4f} mm, is smaller than the tool's, {:.4f} mm"), radius,
+                std::abs(left_)),
+        NC_("core",
+            "a straight line to its end is used instead, which cuts into the contour; use a smaller tool")};
   });
 }
 
@@ -436,11 +437,12 @@ void CutterCompensation::report_swallowed() {
   const bool runs = held_->runs_unchecked;
   log_.add(runs ? Severity::warning : Severity::error, "compensation-gouge", 1, held_->motion.place, [&] {
     return DiagnosticLog::Text{
-        fmt::format("a tool of radius {:.4f} mm does not fit between this block and its neighbours",
-                    std::abs(left_)),
-        runs ? "the control does not check this before an arc: it runs a line backwards, an arc nearly a "
-               "whole turn, and cuts into the contour; use a smaller tool"
-             : "the path shown cuts into the contour here; use a smaller tool"};
+        message(NC_("core", "a tool of radius {:.4f} mm does not fit between this block and its neighbours"),
+                std::abs(left_)),
+        runs ? NC_("core",
+                   "the control does not check this before an arc: it runs a line backwards, an arc nearly a "
+                   "whole turn, and cuts into the contour; use a smaller tool")
+             : NC_("core", "the path shown cuts into the contour here; use a smaller tool")};
   });
 }
 

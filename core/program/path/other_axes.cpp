@@ -1,7 +1,5 @@
 #include "core/program/path/other_axes.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -45,15 +43,18 @@ void OtherAxes::report_feed(char axis, bool at_tip, std::uint32_t column) {
   log_.add(
       at_tip ? Severity::info : Severity::warning, "rotary-feed", axis + (at_tip ? 256 : 0),
       lines_.place(column), [&] {
-        return at_tip
-                   ? DiagnosticLog::Text{fmt::format("axis {} turns in feed motions of the tool's tip", axis),
-                                         "its limits hold along each block and where blocks meet"}
-                   : DiagnosticLog::Text{
-                         fmt::format("axis {} turns in a feed motion of X, Y and Z without tool centre "
-                                     "point control",
-                                     axis),
-                         "X, Y and Z are shown as programmed, not as the tool moves on the part; the "
-                         "limits of the axis hold along each block"};
+        return at_tip ? DiagnosticLog::Text{message(NC_("core",
+                                                        "axis {} turns in feed motions of the tool's tip"),
+                                                    axis),
+                                            NC_("core",
+                                                "its limits hold along each block and where blocks meet")}
+                      : DiagnosticLog::Text{message(NC_("core",
+                                                        "axis {} turns in a feed motion of X, Y and Z "
+                                                        "without tool centre point control"),
+                                                    axis),
+                                            NC_("core",
+                                                "X, Y and Z are shown as programmed, not as the tool moves "
+                                                "on the part; the limits of the axis hold along each block")};
       });
 }
 
@@ -70,10 +71,11 @@ void OtherAxes::note_turn(std::size_t axis, double target, AxisMotion motion, st
     way -= turn * std::ceil(way / turn);
   } else if (std::abs(way) > half && options_.rotary_axes.find(rotary_names[axis]) != std::string::npos) {
     log_.add(Severity::info, "rotary-way", static_cast<int>(axis), lines_.place(column), [&] {
-      return DiagnosticLog::Text{
-          fmt::format("axis {} turns by {:g} degrees, from {:g} to {:g}", rotary_names[axis], way,
-                      programmed_[axis], target),
-          "a control whose axis takes the shortest way turns less; its time is that of the way as written"};
+      return DiagnosticLog::Text{message(NC_("core", "axis {} turns by {:g} degrees, from {:g} to {:g}"),
+                                         rotary_names[axis], way, programmed_[axis], target),
+                                 NC_("core",
+                                     "a control whose axis takes the shortest way turns less; its time is "
+                                     "that of the way as written")};
     });
   }
   if (const std::vector<RotaryMove>& moves = program_.rotary_moves;
@@ -81,8 +83,8 @@ void OtherAxes::note_turn(std::size_t axis, double target, AxisMotion motion, st
       options_.rotary_axes.find(rotary_names[axis]) != std::string::npos) {
     log_.add(Severity::error, "rotary-direction", 3, lines_.place(column), [&] {
       return DiagnosticLog::Text{
-          fmt::format("the tool's direction and axis {} are given in one block", rotary_names[axis]),
-          "the direction is used; remove one of them"};
+          message(NC_("core", "the tool's direction and axis {} are given in one block"), rotary_names[axis]),
+          NC_("core", "the direction is used; remove one of them")};
     });
     return;
   }
@@ -126,17 +128,17 @@ void OtherAxes::orient_tool(const Vec3& direction, AxisMotion motion, std::uint3
   move.at_tip = (move.with_feed || block.alone) && (block.at_tip || motion == AxisMotion::at_tip);
   move.great_circle = move.at_tip && block.great_circle;
   if (!turns()) {
-    this->move("tool orientation", 0, motion, column, block);
+    this->move(orientation_axis, 0, motion, column, block);
   } else if (move.with_feed) {
     const bool circle = move.great_circle;
     log_.add(Severity::info, "rotary-feed", circle ? 3 : 2, lines_.place(column), [circle] {
-      return DiagnosticLog::Text{
-          "tool vectors turn the rotary axes",
-          circle
-              ? "the tool goes along a great circle in each block, to the position that it leads to; rounded "
-                "where blocks meet"
-              : "to the nearer of two positions, the axes linearly along each "
-                "block; rounded where blocks meet"};
+      return DiagnosticLog::Text{NC_("core", "tool vectors turn the rotary axes"),
+                                 circle ? NC_("core",
+                                              "the tool goes along a great circle in each block, to the "
+                                              "position that it leads to; rounded where blocks meet")
+                                        : NC_("core",
+                                              "to the nearer of two positions, the axes linearly along each "
+                                              "block; rounded where blocks meet")};
     });
   }
 }
@@ -146,6 +148,19 @@ void OtherAxes::turn_to_zero(double feed) {
   move.to = {0, 0, 0};
   move.feed = feed;
   at_ = programmed_ = {};
+}
+
+Message OtherAxes::moves_text(std::string_view axis, double target, AxisMotion motion) {
+  const bool with_feed = motion != AxisMotion::positions;
+  if (axis == orientation_axis) {
+    return with_feed
+               ? message(NC_("core", "tool orientation moves to {} in a feed move, which is not simulated"),
+                         target)
+               : message(NC_("core", "tool orientation moves to {}, which is not simulated"), target);
+  }
+  return with_feed ? message(NC_("core", "axis {} moves to {} in a feed move, which is not simulated"), axis,
+                             target)
+                   : message(NC_("core", "axis {} moves to {}, which is not simulated"), axis, target);
 }
 
 void OtherAxes::move(std::string_view axis, double target, AxisMotion motion, std::uint32_t column,
@@ -173,17 +188,17 @@ void OtherAxes::move(std::string_view axis, double target, AxisMotion motion, st
     return;
   }
   const Severity severity = motion == AxisMotion::cuts ? Severity::error : Severity::warning;
-  const std::string_view path = motion == AxisMotion::at_tip
-                                    ? "X, Y and Z are those of the tool's tip and shown as programmed"
-                                    : "X, Y and Z are shown as programmed";
+  const Translatable path =
+      motion == AxisMotion::at_tip
+          ? NC_("core", "X, Y and Z are those of the tool's tip and shown as programmed")
+          : NC_("core", "X, Y and Z are shown as programmed");
   const int kind = static_cast<int>(motion) + 3 * static_cast<int>(known - axes_.begin());
   log_.add(severity, "unread-axis", kind, lines_.place(column), [&] {
     return DiagnosticLog::Text{
-        fmt::format("{}{} moves to {}{}, which is not simulated",
-                    axis.find(' ') == std::string_view::npos ? "axis " : "", axis, target,
-                    motion == AxisMotion::positions ? "" : " in a feed move"),
-        fmt::format(
-            "{}; the time of this axis is not included, so the cycle time is too short; reported once",
+        moves_text(axis, target, motion),
+        message(
+            NC_("core",
+                "{}; the time of this axis is not included, so the cycle time is too short; reported once"),
             path)};
   });
 }

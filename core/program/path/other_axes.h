@@ -36,6 +36,9 @@ struct AxisBlock {
 /// time stays the same.
 AxisBlock turning_alone(const PathWriter& path, double unit, bool rapid);
 
+/// Name under which a tool vector moves several axes.
+inline constexpr std::string_view orientation_axis = "tool orientation";
+
 /// Axes other than X, Y and Z. Program::other_axes names those that move. Each is reported once for each kind
 /// of motion, unless it is a rotary axis of ReadOptions. Program::rotary_moves contains the moves of A, B and
 /// C.
@@ -45,7 +48,7 @@ class OtherAxes {
   OtherAxes(Program& program, const LineRunner& lines, DiagnosticLog& log, const ReadOptions& options)
       : program_(program), lines_(lines), log_(log), options_(options) {}
 
-  /// Moves an axis to `target` [mm], [deg]; a name with a blank in it, "tool orientation", means several
+  /// Moves an axis to `target` [mm], [deg]; orientation_axis means several
   /// axes.
   void move(std::string_view axis, double target, AxisMotion motion, std::uint32_t column,
             const AxisBlock& block = {});
@@ -66,6 +69,7 @@ class OtherAxes {
     std::array<bool, 3> reported{};  ///< by AxisMotion
   };
 
+  static Message moves_text(std::string_view axis, double target, AxisMotion motion);
   RotaryMove& move_of_block();
   void note_turn(std::size_t axis, double target, AxisMotion motion, std::uint32_t column,
                  const AxisBlock& block);

@@ -102,8 +102,9 @@ void PathWriter::cut_next_corner(CornerCut cut, Plane plane) {
   const double scale = frame_.is_shift() ? 1 : frame_.scale_across(normal_of(plane));
   if (scale == 0) {
     log_.add(Severity::error, "corner", 1, cut.place, [] {
-      return DiagnosticLog::Text{"a rounding or chamfer of a non-uniformly scaled contour is not supported",
-                                 "the corner stays sharp"};
+      return DiagnosticLog::Text{
+          NC_("core", "a rounding or chamfer of a non-uniformly scaled contour is not supported"),
+          NC_("core", "the corner stays sharp")};
     });
     return;
   }
@@ -190,8 +191,8 @@ void PathWriter::straight_arc(const ArcRequest& request, const ArcSolution::Piec
   constexpr double chord_error = 1e-3;
   constexpr double max_chords = 1e5;
   log_.add(Severity::info, "scaled-arc", 0, {place_.line, request.column, place_.file}, [] {
-    return DiagnosticLog::Text{"the arc is scaled non-uniformly and becomes an ellipse",
-                               "it is approximated by lines within 0.001 mm"};
+    return DiagnosticLog::Text{NC_("core", "the arc is scaled non-uniformly and becomes an ellipse"),
+                               NC_("core", "it is approximated by lines within 0.001 mm")};
   });
   const ArcShape shape = shape_of(programmed_, piece);
   const Vec3 start = programmed_;
@@ -284,8 +285,9 @@ bool PathWriter::starts_at_known_place(Motion motion, double feed, const Vec3& p
                                                    coordinate_names[static_cast<std::size_t>(axis)]);
     }
     return DiagnosticLog::Text{
-        fmt::format("a feed move while the position of {} is not known", axes),
-        "the axis is assumed where it was before the move to the machine position; program it first"};
+        message(NC_("core", "a feed move while the position of {} is not known"), axes),
+        NC_("core",
+            "the axis is assumed where it was before the move to the machine position; program it first")};
   });
   bool only_unknown_axes_stay = true;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -332,11 +334,13 @@ Vec3 PathWriter::curve(const ParametricCurve& curve, double from, double to, std
   const bool as_arcs = compensation_.is_off() && corners_.is_idle();
   const MessageCode code = as_arcs ? MessageCode("curve-as-arcs") : MessageCode("curve-as-lines");
   log_.add(Severity::info, code, 0, {place_.line, column, place_.file}, [&] {
-    return as_arcs ? DiagnosticLog::Text{"a curve is approximated by tangent arcs within 0.001 mm of it", ""}
-                   : DiagnosticLog::Text{
-                         "a curve under cutter compensation or at a rounded corner is approximated by lines "
-                         "within 0.001 mm",
-                         ""};
+    return as_arcs ? DiagnosticLog::Text{NC_("core",
+                                             "a curve is approximated by tangent arcs within 0.001 mm of it"),
+                                         {}}
+                   : DiagnosticLog::Text{NC_("core",
+                                             "a curve under cutter compensation or at a rounded corner is "
+                                             "approximated by lines within 0.001 mm"),
+                                         {}};
   });
   const Vec3 direction = as_arcs ? curve_as_arcs(curve, from, to) : curve_as_lines(curve, from, to);
   end_motion();
@@ -481,8 +485,9 @@ std::uint16_t PathWriter::path_control_index() {
       all.push_back(path_control_);
     } else {
       log_.add(Severity::error, "path-controls", 0, place_, [] {
-        return DiagnosticLog::Text{"the program has more than 65536 different path control settings",
-                                   "the last one stays in force; split the program"};
+        return DiagnosticLog::Text{
+            NC_("core", "the program has more than 65536 different path control settings"),
+            NC_("core", "the last one stays in force; split the program")};
       });
     }
   }
@@ -496,7 +501,7 @@ void PathWriter::report_arc_fault(const ArcRequest& request, const ArcSolution& 
       break;
     case ArcFault::center_at_start:
       log_.add(Severity::error, "arc-center", 2, place, [] {
-        return DiagnosticLog::Text{"the arc's centre is its start point", std::string(straight_instead)};
+        return DiagnosticLog::Text{NC_("core", "the arc's centre is its start point"), straight_instead};
       });
       break;
     case ArcFault::radius_mismatch:
@@ -505,27 +510,27 @@ void PathWriter::report_arc_fault(const ArcRequest& request, const ArcSolution& 
                                 solve_center_arc(programmed_, request.target, request.other_center,
                                                  request.axis, 0, request.tolerance)
                                         .fault == ArcFault::none;
-        const std::string advice = other_fits
-                                       ? fmt::format("the centre would fit as {}", request.other_reading)
-                                       : "check the centre";
+        const Message advice = other_fits
+                                   ? message(NC_("core", "the centre would fit as {}"), request.other_reading)
+                                   : NC_("core", "check the centre");
         return DiagnosticLog::Text{
-            fmt::format("the arc's radius is {:.4f} mm at its start but {:.4f} mm at its end",
-                        solution.start_radius, solution.end_radius),
-            fmt::format("{}; {}", advice, straight_instead)};
+            message(NC_("core", "the arc's radius is {:.4f} mm at its start but {:.4f} mm at its end"),
+                    solution.start_radius, solution.end_radius),
+            message(NC_("core", "{}; {}"), advice, straight_instead)};
       });
       break;
     case ArcFault::radius_too_small:
       log_.add(Severity::error, "arc-radius", 1, place, [&] {
         return DiagnosticLog::Text{
-            fmt::format("radius {:.4f} mm is too small for ends {:.4f} mm apart", solution.start_radius,
-                        2 * solution.end_radius),
-            fmt::format("the radius must be at least half the distance; {}", straight_instead)};
+            message(NC_("core", "radius {:.4f} mm is too small for ends {:.4f} mm apart"),
+                    solution.start_radius, 2 * solution.end_radius),
+            message(NC_("core", "the radius must be at least half the distance; {}"), straight_instead)};
       });
       break;
     case ArcFault::same_ends:
       log_.add(Severity::error, "arc-ends", 0, place, [] {
-        return DiagnosticLog::Text{"an arc given by its radius must not end where it starts",
-                                   "write a full circle with its centre"};
+        return DiagnosticLog::Text{NC_("core", "an arc given by its radius must not end where it starts"),
+                                   NC_("core", "write a full circle with its centre")};
       });
       break;
   }

@@ -22,7 +22,7 @@
 namespace feedscope {
 
 /// Part of the messages about an impossible arc.
-inline constexpr std::string_view straight_instead = "a straight line to its end is used instead";
+inline constexpr Translatable straight_instead = NC_("core", "a straight line to its end is used instead");
 
 /// A requested arc, in programmed coordinates.
 struct ArcRequest {
@@ -36,7 +36,7 @@ struct ArcRequest {
   /// Centre by another reading of the words, and the name of that reading: a hint where the centre itself
   /// does not fit.
   Vec3 other_center = Vec3::Zero();
-  std::string_view other_reading;
+  Message other_reading;
 };
 
 /// Common target of the motion words of every dialect: takes motions in programmed coordinates, one after the

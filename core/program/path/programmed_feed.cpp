@@ -37,10 +37,11 @@ void ProgrammedFeed::report_missing(const DiagnosticLog::Place& place) {
   missing_reported_ = true;
   const bool no_spindle = value_ > 0 && spindle_speed_ == 0;
   log_.add(Severity::error, "feed-missing", 0, place, [&] {
-    return DiagnosticLog::Text{
-        no_spindle ? "a feed per revolution without a spindle speed" : "a feed move without a feed",
-        no_spindle ? "it runs as fast as the axes allow; write S before it"
-                   : "it runs as fast as the axes allow; write F before it"};
+    return DiagnosticLog::Text{no_spindle ? NC_("core", "a feed per revolution without a spindle speed")
+                                          : NC_("core", "a feed move without a feed"),
+                               no_spindle
+                                   ? NC_("core", "it runs as fast as the axes allow; write S before it")
+                                   : NC_("core", "it runs as fast as the axes allow; write F before it")};
   });
 }
 

@@ -26,8 +26,9 @@ std::uint16_t SpindleTracker::index(double speed, const DiagnosticLog::Place& pl
   } else {
     last_ = 0;
     log_.add(Severity::warning, "spindle-speeds", 0, place, [] {
-      return DiagnosticLog::Text{"the program has more than 65535 different spindle speeds",
-                                 "motions with further ones have no spindle speed and no cutting load"};
+      return DiagnosticLog::Text{
+          NC_("core", "the program has more than 65535 different spindle speeds"),
+          NC_("core", "motions with further ones have no spindle speed and no cutting load")};
     });
   }
   return last_;

@@ -1,7 +1,5 @@
 #include "core/program/sinumerik/reader.h"
 
-#include <fmt/format.h>
-
 #include "core/program/sinumerik/language/names.h"
 #include "core/program/text/message.h"
 #include "core/program/text/read_fault.h"
@@ -123,9 +121,10 @@ bool SinumerikReader::report_faults(const Block& block) const {
     const bool range = fault.kind == FaultKind::number_range;
     report(Severity::error, range ? MessageCode("number-range") : MessageCode("malformed-number"), 0,
            fault.column, [&] {
-             return Text{range ? fmt::format("{} is above the largest number, 1000000000", in_quotes(written))
-                               : fmt::format("{} has no valid number", in_quotes(written)),
-                         "the block does not move; correct the number"};
+             return Text{range ? message(NC_("core", "{} is above the largest number, 1000000000"),
+                                         in_quotes(written))
+                               : message(NC_("core", "{} has no valid number"), in_quotes(written)),
+                         NC_("core", "the block does not move; correct the number")};
            });
   }
   return block.faults.empty();
@@ -203,8 +202,9 @@ void SinumerikReader::run_own_block() {
   if (motion != nullptr && own.action != Action::dwell && own.action != Action::machine_axes) {
     report(Severity::error, "conflicting-g", kind_of(own.name), context_.functions.own_column, [&] {
       return Text{
-          fmt::format("{} and {} exclude each other in one block", motion->name, own.name),
-          fmt::format("the coordinates are used for {} and nothing moves; write a block for each", own.name)};
+          message(NC_("core", "{} and {} exclude each other in one block"), motion->name, own.name),
+          message(NC_("core", "the coordinates are used for {} and nothing moves; write a block for each"),
+                  own.name)};
     });
   }
   switch (own.action) {

@@ -1,7 +1,5 @@
 #include "core/program/text/diagnostic_log.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace feedscope {
@@ -34,8 +32,8 @@ std::vector<Diagnostic> DiagnosticLog::take() {
            kind.first_left_out,
            0,
            std::string(key.first),
-           fmt::format("{} more of this kind up to line {}", kind.left_out, kind.last_left_out),
-           "",
+           message(NC_("core", "{} more of this kind up to line {}"), kind.left_out, kind.last_left_out),
+           {},
            {},
            kind.left_out,
            kind.last_left_out,

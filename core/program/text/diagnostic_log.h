@@ -27,8 +27,8 @@ class DiagnosticLog {
     std::string_view file = {};  ///< of a subprogram in a file of its own; empty: the program itself
   };
   struct Text {
-    std::string message;
-    std::string hint;
+    Message message;
+    Message hint;
   };
 
   /// A kind is `code` and `detail`, such as the number of a G word. `text()` returns the Text; it is called

@@ -17,12 +17,12 @@ std::string g_name(int number) {
   return number % 10 == 0 ? fmt::format("G{}", number / 10) : fmt::format("G{}.{}", number / 10, number % 10);
 }
 
-std::string missing_offset_hint(std::string name) {
+Message missing_offset_hint(std::string name) {
   std::erase(name, ' ');
-  return fmt::format(
-      "offsets without a value are assumed as zero, so parts of the path overlap; give them as an import "
-      "option, --offset {}=X,Y,Z",
-      name);
+  return message(NC_("core",
+                     "offsets without a value are assumed as zero, so parts of the path overlap; give them "
+                     "as an import option, --offset {}=X,Y,Z"),
+                 name);
 }
 
 }  // namespace feedscope

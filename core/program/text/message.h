@@ -3,6 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/message.h"
+
 namespace feedscope {
 
 /// Program text for a message: quoted, short, plain characters only.
@@ -12,6 +14,6 @@ std::string in_quotes(std::string_view text);
 std::string g_name(int number);
 
 /// Hint for a work offset without a value: "G54.1 P3".
-std::string missing_offset_hint(std::string name);
+Message missing_offset_hint(std::string name);
 
 }  // namespace feedscope

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
+#include "core/base/message.h"
 #include "core/program/text/message_codes.h"
 
 namespace feedscope {
@@ -12,8 +12,8 @@ namespace feedscope {
 struct ReadFault {
   MessageCode code;
   std::uint32_t column = 0;  ///< 1-based byte column
-  std::string message;
-  std::string hint;
+  Message message;
+  Message hint;
 };
 
 }  // namespace feedscope

@@ -1,7 +1,6 @@
 #include "core/program/text/scanner.h"
 
 #include <fast_float/fast_float.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -132,15 +131,16 @@ std::optional<double> Scanner::number(bool comma) {
   const double value = at_ - from <= exact_length ? static_cast<double>(digits) / powers_of_ten[decimals]
                                                   : long_number(text_.substr(from, at_ - from));
   if (at_ < text_.size() && text_[at_] == '.') {
-    throw ReadFault{"malformed-number", static_cast<std::uint32_t>(from + 1),
-                    fmt::format("{} has no valid number", in_quotes(text_.substr(from, at_ - from + 1))),
-                    "correct the number"};
+    throw ReadFault{
+        "malformed-number", static_cast<std::uint32_t>(from + 1),
+        message(NC_("core", "{} has no valid number"), in_quotes(text_.substr(from, at_ - from + 1))),
+        NC_("core", "correct the number")};
   }
   if (!(value <= number_limit)) {
-    throw ReadFault{
-        "number-range", static_cast<std::uint32_t>(from + 1),
-        fmt::format("{} is above the largest number, 1000000000", in_quotes(text_.substr(from, at_ - from))),
-        "write a smaller number"};
+    throw ReadFault{"number-range", static_cast<std::uint32_t>(from + 1),
+                    message(NC_("core", "{} is above the largest number, 1000000000"),
+                            in_quotes(text_.substr(from, at_ - from))),
+                    NC_("core", "write a smaller number")};
   }
   return value;
 }

@@ -1,7 +1,5 @@
 #include "core/program/text/source_text.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -44,7 +42,7 @@ std::vector<std::uint32_t> line_starts(std::string_view text, std::size_t at) {
 
 void check_size(const std::string& name, std::size_t size) {
   if (size > size_limit) {
-    throw InputError(fmt::format("{}: is larger than 4 GiB; split the program", name));
+    throw InputError(message(NC_("core", "{}: is larger than 4 GiB; split the program"), name));
   }
 }
 
@@ -52,9 +50,10 @@ constexpr bool is_noise(char c) {
   return (static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\n' && c != '\r') || c == '\x7F';
 }
 
-[[noreturn]] void refuse(const std::string& name, std::string_view reason) {
-  throw InputError(fmt::format(
-      "{}: is not a text file ({}); give an NC program as ASCII, UTF-8 or Latin-1 text", name, reason));
+[[noreturn]] void refuse(const std::string& name, const Message& reason) {
+  throw InputError(
+      message(NC_("core", "{}: is not a text file ({}); give an NC program as ASCII, UTF-8 or Latin-1 text"),
+              name, reason));
 }
 
 /// Replaces control characters by blanks. Throws InputError if there are too many for a text between the
@@ -64,7 +63,7 @@ std::size_t clear_noise(const std::string& name, std::string& text) {
   constexpr std::size_t one_in = 200;
   constexpr std::size_t run = 64;
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-    refuse(name, "it is UTF-16");
+    refuse(name, NC_("core", "it is UTF-16"));
   }
   const auto printed = [](char c) { return c > ' ' && c != '\x7F'; };
   const auto first = std::find_if(text.begin(), text.end(), printed);
@@ -85,7 +84,7 @@ std::size_t clear_noise(const std::string& name, std::string& text) {
     }
   }
   if (inside > always_allowed + text.size() / one_in || (count > always_allowed && first == text.end())) {
-    refuse(name, fmt::format("it has {} control characters", count));
+    refuse(name, message(NC_("core", "it has {} control characters"), count));
   }
   return count;
 }
@@ -137,12 +136,13 @@ std::string read_all(std::FILE* file, const std::string& name, std::size_t expec
       break;
     }
     if (std::all_of(begin, begin + piece_looked_at, is_noise)) {
-      refuse(name, "the rest is control characters only");
+      refuse(name, NC_("core", "the rest is control characters only"));
     }
     piece = used;
   }
   if (std::ferror(file) != 0) {
-    throw InputError(fmt::format("{}: cannot be read: {}", name, std::generic_category().message(errno)));
+    throw InputError(message(NC_("core", "{}: cannot be read: {}"), name,
+                             reason_of(std::error_code(errno, std::generic_category()))));
   }
   text.resize(used);
   return text;
@@ -159,10 +159,10 @@ SourceText::SourceText(std::string name, std::string text) : name_(std::move(nam
   for (std::size_t i = 0; i < starts_.size(); ++i) {
     const std::size_t end = i + 1 < starts_.size() ? starts_[i + 1] : text_.size();
     if (end - starts_[i] > longest_line) {
-      throw InputError(
-          fmt::format("{}:{}: the line is {} bytes long, more than the {} of any NC program; check "
-                      "the file's line ends",
-                      name_, i + 1, end - starts_[i], longest_line));
+      throw InputError(message(NC_("core",
+                                   "{}:{}: the line is {} bytes long, more than the {} of any NC program; "
+                                   "check the file's line ends"),
+                               name_, i + 1, end - starts_[i], longest_line));
     }
   }
 }
@@ -175,15 +175,16 @@ SourceText SourceText::from_file(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) {
-    throw InputError(fmt::format("{}: does not exist; check the path", name));
+    throw InputError(message(NC_("core", "{}: does not exist; check the path"), name));
   }
   if (std::filesystem::is_directory(status)) {
-    throw InputError(fmt::format("{}: is a directory; give the NC program inside it", name));
+    throw InputError(message(NC_("core", "{}: is a directory; give the NC program inside it"), name));
   }
   errno = 0;
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.c_str(), "rb"), &std::fclose);
   if (!file) {
-    throw InputError(fmt::format("{}: cannot be opened: {}", name, std::generic_category().message(errno)));
+    throw InputError(message(NC_("core", "{}: cannot be opened: {}"), name,
+                             reason_of(std::error_code(errno, std::generic_category()))));
   }
   std::size_t size = 0;
   if (std::filesystem::is_regular_file(status)) {

@@ -57,7 +57,7 @@ void Cutters::read_table_beside() {
     table_ = read_tool_table(*text, unit_);
     table_name_ = text->name();
   } catch (const InputError& error) {
-    table_fault_ = error.what();
+    table_fault_ = error.message();
   }
 }
 

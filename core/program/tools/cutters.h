@@ -27,7 +27,7 @@ class Cutters {
   /// Name of the table used; empty: none.
   const std::string& table_name() const { return table_name_; }
   /// Fault of a table in the program's folder; empty: no fault, or no table.
-  const std::string& table_fault() const { return table_fault_; }
+  const Message& table_fault() const { return table_fault_; }
 
  private:
   void read_table_beside();
@@ -39,7 +39,7 @@ class Cutters {
   CutterRadii table_;
   bool has_table_ = false;
   std::string table_name_;
-  std::string table_fault_;
+  Message table_fault_;
 };
 
 }  // namespace feedscope

@@ -1,7 +1,5 @@
 #include "core/program/tools/tool_columns.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <string>
@@ -127,8 +125,8 @@ double ToolColumns::number(std::string_view cell, std::uint32_t line) const {
   } catch (const ReadFault&) {
     // Reported below, with the line.
   }
-  throw InputError(
-      fmt::format("tool table '{}', line {}: {} is not a number", text_->name(), line, in_quotes(cell)));
+  throw InputError(message(NC_("core", "tool table '{}', line {}: {} is not a number"), text_->name(), line,
+                           in_quotes(cell)));
 }
 
 CutterRadii ToolColumns::read() const {

@@ -1,7 +1,5 @@
 #include "core/program/tools/tool_rack.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace feedscope {
@@ -75,22 +73,22 @@ std::optional<double> ToolRack::use_radius_of(std::string_view tool, std::option
     log_.add(Severity::warning, "tool-table", 0, lines_.place(0), [&] {
       return DiagnosticLog::Text{
           cutters_.table_fault(),
-          "the table in the program's folder is not used; correct it, or name another one"};
+          NC_("core", "the table in the program's folder is not used; correct it, or name another one")};
     });
   } else if (found.source == CutterSource::table) {
     log_.add(Severity::info, "tool-table", 1, lines_.place(0), [&] {
       return DiagnosticLog::Text{
-          fmt::format("cutter radii are those of tool table '{}'", cutters_.table_name()), ""};
+          message(NC_("core", "cutter radii are those of tool table '{}'"), cutters_.table_name()), {}};
     });
   }
   return found.source == CutterSource::unknown ? std::nullopt : std::optional(found.radius);
 }
 
-std::string ToolRack::radius_hint(std::string_view tool) {
-  return fmt::format(
-      "give it as an import option (--tool {}=RADIUS) or in a tool table, or say that the path is "
-      "already compensated (--wear-only)",
-      CutterRadii::key(tool));
+Message ToolRack::radius_hint(std::string_view tool) {
+  return message(NC_("core",
+                     "give it as an import option (--tool {}=RADIUS) or in a tool table, or say that the "
+                     "path is already compensated (--wear-only)"),
+                 CutterRadii::key(tool));
 }
 
 }  // namespace feedscope

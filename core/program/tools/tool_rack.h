@@ -34,7 +34,7 @@ class ToolRack {
   /// The same where the path depends on it: adds the tool to Program::cutters.
   std::optional<double> use_radius_of(std::string_view tool, std::optional<double> programmed);
   /// Hint for a radius that is not given anywhere, after "the path shown is the programmed contour; ".
-  static std::string radius_hint(std::string_view tool);
+  static Message radius_hint(std::string_view tool);
 
  private:
   /// Index in Program::tools; -1 if it is not there.

@@ -19,7 +19,7 @@ namespace {
 double unsigned_number(Scanner& scanner, bool decimal_comma) {
   const std::optional<double> value = scanner.number(decimal_comma);
   if (!value) {
-    throw ReadFault{"tool-table", scanner.column(), "a number is missing", ""};
+    throw ReadFault{"tool-table", scanner.column(), NC_("core", "a number is missing"), {}};
   }
   return *value;
 }
@@ -107,7 +107,7 @@ class SinumerikLines : public LineReader {
 
   static double value_behind(Scanner& scanner) {
     if (!scanner.take(']') || !scanner.take('=')) {
-      throw ReadFault{"tool-table", scanner.column(), "]= is missing", ""};
+      throw ReadFault{"tool-table", scanner.column(), NC_("core", "]= is missing"), {}};
     }
     return signed_number(scanner);
   }
@@ -152,8 +152,10 @@ class LinuxcncLines : public LineReader {
     while (!scanner.at_end()) {
       const char letter = letters::to_upper(scanner.peek());
       if (!letters::is_letter(letter)) {
-        throw ReadFault{"tool-table", scanner.column(),
-                        fmt::format("{} is not a letter with a number", in_quotes(scanner.rest())), ""};
+        throw ReadFault{"tool-table",
+                        scanner.column(),
+                        message(NC_("core", "{} is not a letter with a number"), in_quotes(scanner.rest())),
+                        {}};
       }
       scanner.take(letter);
       const double value = signed_number(scanner);
@@ -199,8 +201,8 @@ CutterRadii read_lines(const SourceText& text, double unit) {
     try {
       lines.read(text.line(line));
     } catch (const ReadFault& fault) {
-      throw InputError(fmt::format("tool table '{}', line {}, column {}: {}", text.name(), line, fault.column,
-                                   fault.message));
+      throw InputError(message(NC_("core", "tool table '{}', line {}, column {}: {}"), text.name(), line,
+                               fault.column, fault.message));
     }
   }
   return lines.total();
@@ -221,10 +223,10 @@ CutterRadii read_tool_table(const SourceText& text, double unit) {
   if (has(text, is_linuxcnc)) {
     return read_lines<LinuxcncLines>(text, unit);
   }
-  throw InputError(
-      fmt::format("'{}' is not a supported tool table; give lines such as \"T1 D10\" or \"$TC_DP6[1,1]=5\", "
-                  "\"G10 L12 P1 R5\", or columns headed T and R",
-                  text.name()));
+  throw InputError(message(NC_("core",
+                               "'{}' is not a supported tool table; give lines such as \"T1 D10\" or "
+                               "\"$TC_DP6[1,1]=5\", \"G10 L12 P1 R5\", or columns headed T and R"),
+                           text.name()));
 }
 
 const std::vector<std::string>& tool_table_names() {

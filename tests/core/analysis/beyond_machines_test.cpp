@@ -21,7 +21,7 @@ LoadedProgram read_part(const std::string& text) {
 /// "line: message" of the error; empty: there is none.
 std::string fault_of(const std::string& text) {
   const std::optional<Diagnostic> found = beyond_machines(*read_part(text).toolpath);
-  return found ? fmt::format("{}: {}", found->line, found->message) : "";
+  return found ? fmt::format("{}: {}", found->line, found->message.english()) : "";
 }
 
 TEST(BeyondMachines, APathMaySpanAKilometreAlongEachAxis) {

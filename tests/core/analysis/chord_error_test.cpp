@@ -12,6 +12,7 @@
 #include "core/analysis/notes/run_notes.h"
 #include "core/analysis/notes/unadvised_tolerance.h"
 #include "core/analysis/run/run.h"
+#include "tests/support/english.h"
 #include "tests/support/folders.h"
 #include "tests/support/paths.h"
 
@@ -191,12 +192,12 @@ TEST(ChordError, IsAMessageOfTheProgramWithHeidenhainsAdvice) {
   ASSERT_EQ(messages.size(), 1U);
   EXPECT_EQ(messages[0].code, "chord-error");
   EXPECT_EQ(messages[0].severity, Severity::info);
-  EXPECT_THAT(messages[0].message, HasSubstr("0.0099 mm"));
-  EXPECT_THAT(messages[0].hint, HasSubstr("Heidenhain"));
-  EXPECT_THAT(messages[0].hint, HasSubstr("0.011 to 0.02 mm"));
+  EXPECT_THAT(messages[0].message.english(), HasSubstr("0.0099 mm"));
+  EXPECT_THAT(messages[0].hint.english(), HasSubstr("Heidenhain"));
+  EXPECT_THAT(messages[0].hint.english(), HasSubstr("0.011 to 0.02 mm"));
   const LoadedProgram advised = loaded(circle_program("G64 P0.015"));
   ASSERT_EQ(advised.program->diagnostics.size(), 1U);
-  EXPECT_EQ(advised.program->diagnostics[0].hint, "");
+  EXPECT_EQ(advised.program->diagnostics[0].hint.english(), "");
   EXPECT_TRUE(loaded("G21 G90\nG0 X0\nG1 X10 F500\nG1 Y10\nM30\n").program->diagnostics.empty());
 }
 
@@ -204,14 +205,14 @@ TEST(ChordError, IsNotedOfRunsWhoseToleranceLiesOutsideOfTheAdvice) {
   const LoadedProgram program = loaded(circle_program(""));
   for (const auto& [tolerance, share] :
        {std::pair(0.005, "51 %"), std::pair(0.015, ""), std::pair(0.05, "507 %")}) {
-    const auto notes = run_notes(program, make_setup({"spinner-mvc850", "essid", tolerance}));
+    const auto notes = in_english(run_notes(program, make_setup({"spinner-mvc850", "essid", tolerance})));
     if (*share == '\0') {
       EXPECT_THAT(notes, IsEmpty()) << tolerance;
     } else {
       EXPECT_THAT(notes, ElementsAre(HasSubstr(share))) << tolerance;
     }
   }
-  EXPECT_THAT(run_notes(program, make_setup({"spinner-mvc850", "cam", {}})), IsEmpty());
+  EXPECT_THAT(in_english(run_notes(program, make_setup({"spinner-mvc850", "cam", {}}))), IsEmpty());
 }
 
 }  // namespace

@@ -127,7 +127,7 @@ TEST(CircularTest, ProgramsOfEveryDialectAreReadAsTheSameCircles) {
         load_program(std::make_shared<const SourceText>(SourceText("test", text)), nullptr, options);
     for (const Diagnostic& d : loaded.program->diagnostics) {
       EXPECT_EQ(d.severity == Severity::error, false)
-          << info.id << ": line " << d.line << ": " << d.message << '\n'
+          << info.id << ": line " << d.line << ": " << d.message.english() << '\n'
           << text;
     }
     double length = 0;

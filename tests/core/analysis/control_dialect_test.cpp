@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/analysis/notes/run_notes.h"
+#include "tests/support/english.h"
 
 namespace feedscope {
 namespace {
@@ -61,18 +62,19 @@ TEST(ControlDialect, AMismatchNamesBothAndWhatToDo) {
   EXPECT_FALSE(control_mismatch(spinner, Dialect::iso));
   const auto heidenhain = control_mismatch(spinner, Dialect::heidenhain);
   ASSERT_TRUE(heidenhain);
-  EXPECT_THAT(describe(*heidenhain), AllOf(HasSubstr("Heidenhain"), HasSubstr("Spinner MVC 850"),
-                                           HasSubstr("Siemens Sinumerik 840D"), HasSubstr("dmg-mori-evo40")));
+  EXPECT_THAT(describe(*heidenhain).english(),
+              AllOf(HasSubstr("Heidenhain"), HasSubstr("Spinner MVC 850"),
+                    HasSubstr("Siemens Sinumerik 840D"), HasSubstr("dmg-mori-evo40")));
   const auto fanuc = control_mismatch(spinner, Dialect::fanuc);
   ASSERT_TRUE(fanuc);
-  EXPECT_THAT(describe(*fanuc), AllOf(HasSubstr("Fanuc"), HasSubstr("your own machine file")));
+  EXPECT_THAT(describe(*fanuc).english(), AllOf(HasSubstr("Fanuc"), HasSubstr("your own machine file")));
 }
 
 TEST(RunNotes, BeginWithTheControlThenWhatIsNotFollowed) {
   const LoadedProgram program =
       load_program(std::make_shared<const SourceText>("a.mpf", "G71\nG642 CTOL=0.02\nG1 X10 F1000\nY10\n"));
-  EXPECT_THAT(run_notes(program, make_setup({"spinner-mvc850", "essid", {}})), IsEmpty());
-  const auto notes = run_notes(program, make_setup({"dmg-mori-evo40", "cam", {}}));
+  EXPECT_THAT(in_english(run_notes(program, make_setup({"spinner-mvc850", "essid", {}}))), IsEmpty());
+  const auto notes = in_english(run_notes(program, make_setup({"dmg-mori-evo40", "cam", {}})));
   ASSERT_EQ(notes.size(), 2U);
   EXPECT_THAT(notes[0], HasSubstr("Heidenhain TNC 640"));
   EXPECT_THAT(notes[1], HasSubstr("Tolerances"));

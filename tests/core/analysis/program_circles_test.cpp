@@ -8,6 +8,7 @@
 #include "core/analysis/circularity/test_program.h"
 #include "core/base/units.h"
 #include "core/export/circular.h"
+#include "tests/support/english.h"
 
 namespace feedscope {
 namespace {
@@ -107,7 +108,7 @@ TEST(ProgramCircles, PausesBeforeACircleAreNoPartOfIt) {
 
 TEST(ProgramCircles, WhatIsNotEvaluatedIsSaid) {
   const ProgramCircles none = program_circles(run_of("G21 G90 G94 F600\nG1 X10\nM30\n"));
-  EXPECT_THAT(program_circle_notes(none),
+  EXPECT_THAT(in_english(program_circle_notes(none)),
               ::testing::ElementsAre(::testing::HasSubstr("The program has no full circle")));
   EXPECT_TRUE(none.tests.empty());
   std::string many = "G21 G90 G17 G94 F6000\nG0 X1 Y0 Z0\n";
@@ -117,7 +118,7 @@ TEST(ProgramCircles, WhatIsNotEvaluatedIsSaid) {
   const ProgramCircles capped = program_circles(run_of(many + "G3 I-1 Z0\nM30\n"));
   EXPECT_EQ(capped.found, 203U);
   EXPECT_EQ(capped.tests.size(), max_program_circles);
-  EXPECT_THAT(program_circle_notes(capped),
+  EXPECT_THAT(in_english(program_circle_notes(capped)),
               ::testing::ElementsAre("The program has 203 full circles; the first 200 are evaluated.",
                                      "Not evaluated: 1 helix with full turns."));
 }

@@ -17,6 +17,7 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "tests/core/analysis/turned_runs.h"
+#include "tests/support/english.h"
 
 namespace feedscope {
 namespace {
@@ -229,7 +230,7 @@ TEST(RotaryNotes, SayWhichModelAndWhichMachineLeaveThemOut) {
     const auto source =
         std::make_shared<const SourceText>("test.mpf", "TRAORI\nG1 F6000 X20 C60 A5\nX40 A5\n");
     const LoadedProgram program = load_program(source, nullptr, reading_on(options, setup.machine));
-    return fmt::format("{}", fmt::join(run_notes(program, setup), "\n"));
+    return fmt::format("{}", fmt::join(in_english(run_notes(program, setup)), "\n"));
   };
   EXPECT_THAT(notes_of("spinner-mvc850", "essid"),
               HasSubstr("turns rotary axes, which this machine does not"));

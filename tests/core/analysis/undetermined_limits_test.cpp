@@ -43,8 +43,8 @@ TEST(UndeterminedLimits, AreNamedWithTheTimeThatTheyLimit) {
   ASSERT_EQ(both.size(), 2U);
   EXPECT_EQ(both[1].key, "X.acceleration");
   EXPECT_NEAR(both[1].time, 2.0 / 15, 5e-3);
-  EXPECT_THAT(describe(both[0]), HasSubstr("X.velocity limits 0.86"));
-  EXPECT_THAT(describe(both[0]), HasSubstr("do not determine it"));
+  EXPECT_THAT(describe(both[0]).english(), HasSubstr("X.velocity limits 0.86"));
+  EXPECT_THAT(describe(both[0]).english(), HasSubstr("do not determine it"));
 }
 
 TEST(UndeterminedLimits, AreNoneWhereTheyLimitNothingOrAnotherValueIsSet) {

@@ -7,6 +7,7 @@
 #include "core/analysis/notes/run_notes.h"
 #include "core/analysis/run/run.h"
 #include "core/base/units.h"
+#include "tests/support/english.h"
 
 namespace feedscope {
 namespace {
@@ -43,8 +44,9 @@ TEST(UnreachableFeed, IsOneAboveAllAxesTogether) {
 TEST(UnreachableFeed, IsNamedAmongTheNotesOfARun) {
   const std::string said =
       "Line 4 asks for a feed of 9991300 mm/min; all axes of this machine together reach 30000 mm/min";
-  EXPECT_THAT(run_notes(line_at("9991300"), make_setup(on_three_axes())), Contains(HasSubstr(said)));
-  EXPECT_THAT(run_notes(line_at("20000"), make_setup(on_three_axes())),
+  EXPECT_THAT(in_english(run_notes(line_at("9991300"), make_setup(on_three_axes()))),
+              Contains(HasSubstr(said)));
+  EXPECT_THAT(in_english(run_notes(line_at("20000"), make_setup(on_three_axes()))),
               ::testing::Not(Contains(HasSubstr("asks for a feed"))));
 }
 

@@ -6,26 +6,32 @@ namespace feedscope {
 namespace {
 
 TEST(Diagnostic, PrintsPlaceSeverityMessageCodeAndHint) {
-  const Diagnostic d{Severity::error, 3, 7, "arc-radius", "radius is off", "check I and J"};
+  const Diagnostic d{Severity::error,
+                     3,
+                     7,
+                     "arc-radius",
+                     Message::as_written("radius is off"),
+                     Message::as_written("check I and J")};
   EXPECT_EQ(format(d, "part.nc"), "part.nc:3:7: error: radius is off [arc-radius] (check I and J)");
 }
 
 TEST(Diagnostic, LeavesOutPlaceAndHintThatAreNotKnown) {
-  EXPECT_EQ(format({Severity::warning, 0, 0, "empty", "no blocks", ""}, "part.nc"),
+  EXPECT_EQ(format({Severity::warning, 0, 0, "empty", Message::as_written("no blocks"), {}}, "part.nc"),
             "part.nc: warning: no blocks [empty]");
-  EXPECT_EQ(format({Severity::info, 2, 0, "x", "y", ""}, "part.nc"), "part.nc:2: info: y [x]");
+  EXPECT_EQ(format({Severity::info, 2, 0, "x", Message::as_written("y"), {}}, "part.nc"),
+            "part.nc:2: info: y [x]");
 }
 
 TEST(Diagnostic, OnlyErrorsCountAsErrors) {
-  EXPECT_FALSE(has_errors({{Severity::warning, 1, 1, "a", "b", ""}, {Severity::info, 1, 1, "a", "b", ""}}));
-  EXPECT_TRUE(has_errors({{Severity::info, 1, 1, "a", "b", ""}, {Severity::error, 1, 1, "a", "b", ""}}));
+  EXPECT_FALSE(has_errors({{Severity::warning, 1, 1, "a", {}, {}}, {Severity::info, 1, 1, "a", {}, {}}}));
+  EXPECT_TRUE(has_errors({{Severity::info, 1, 1, "a", {}, {}}, {Severity::error, 1, 1, "a", {}, {}}}));
 }
 
 std::string printed(const std::vector<Diagnostic>& diagnostics) {
   std::string text;
   for (const RepeatedDiagnostic& repeated : without_repeats(diagnostics)) {
-    text += std::to_string(repeated.first->line) + " " + repeated.first->message + "|" +
-            repeats_text(repeated) + "\n";
+    text += std::to_string(repeated.first->line) + " " + repeated.first->message.english() + "|" +
+            repeats_text(repeated).english() + "\n";
   }
   return text;
 }
@@ -34,7 +40,7 @@ Diagnostic at(std::uint32_t line, const std::string& code, const std::string& me
   Diagnostic diagnostic;
   diagnostic.line = line;
   diagnostic.code = code;
-  diagnostic.message = message;
+  diagnostic.message = Message::as_written(message);
   return diagnostic;
 }
 

@@ -1,6 +1,5 @@
 #include "core/base/typed_number.h"
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <random>
@@ -22,15 +21,16 @@ TEST(TypedNumber, IsRefusedWhereACommaCouldGroupThousands) {
   for (const char* text : {"1,000", "12,345", "999,999", "-1,000", "4,995", "1,000e3"}) {
     const TypedNumber number = typed_number(text);
     EXPECT_FALSE(number.value) << text;
-    EXPECT_THAT(number.problem, HasSubstr("the comma could be a decimal or a thousands separator")) << text;
+    EXPECT_THAT(number.problem.english(), HasSubstr("the comma could be a decimal or a thousands separator"))
+        << text;
   }
-  EXPECT_THAT(typed_number("4,995").problem, HasSubstr("write 4.995 or 4995"));
+  EXPECT_THAT(typed_number("4,995").problem.english(), HasSubstr("write 4.995 or 4995"));
   for (const auto& [text, plain] : {std::pair{"1,000,000", "1000000"},
                                     {"1.000,5", "1000.5"},
                                     {"1,000.5", "1000.5"},
                                     {"-1.234.567,25", "-1234567.25"}}) {
-    EXPECT_THAT(typed_number(text).problem, HasSubstr("no thousands separators; write ")) << text;
-    EXPECT_THAT(typed_number(text).problem, testing::EndsWith(plain)) << text;
+    EXPECT_THAT(typed_number(text).problem.english(), HasSubstr("no thousands separators; write ")) << text;
+    EXPECT_THAT(typed_number(text).problem.english(), testing::EndsWith(plain)) << text;
   }
 }
 
@@ -59,13 +59,14 @@ TEST(TypedNumber, NeverTakesAFactor) {
 TEST(TypedNumber, IsNothingElse) {
   for (const char* text : {"", ",", "abc", "1.2.3", "1 mm", "0x10", "--1", "a,b", "1,2x"}) {
     EXPECT_FALSE(typed_number(text).value) << text;
-    EXPECT_EQ(typed_number(text).problem, "") << text;
+    EXPECT_EQ(typed_number(text).problem.english(), "") << text;
   }
 }
 
 TEST(TypedListNumber, RefusesEveryComma) {
   EXPECT_EQ(typed_list_number("0.05").value, 0.05);
-  EXPECT_THAT(typed_list_number("0,05").problem, HasSubstr("write 0.05 for one value, \"0;05\" in quotes"));
+  EXPECT_THAT(typed_list_number("0,05").problem.english(),
+              HasSubstr("write 0.05 for one value, \"0;05\" in quotes"));
   EXPECT_FALSE(typed_list_number("2,").value);
 }
 

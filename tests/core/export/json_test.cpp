@@ -25,7 +25,8 @@ struct Sample {
     program.bounds.add(Vec3(3, 0, 0));
     program.cutting_bounds.add(Vec3(1, 0, 0));
     program.rapid_bounds.add(Vec3(2, 0, 0));
-    program.diagnostics = {{Severity::error, 2, 1, "unread", "\"foo\" is not a word", "hint"}};
+    program.diagnostics = {{Severity::error, 2, 1, "unread", Message::as_written("\"foo\" is not a word"),
+                            Message::as_written("hint")}};
     toolpath.segments.resize(1);
     toolpath.segments[0].length = 3;
     toolpath.segments[0].feed = 1;
@@ -137,7 +138,7 @@ TEST(SimulationJson, GivesNullWhereThereIsNoNumber) {
 TEST(SimulationJson, SurvivesBytesThatAreNoUtf8) {
   Sample sample;
   sample.program.source = std::make_shared<const SourceText>("a\xff.nc", "");
-  sample.program.diagnostics[0].message = "word '\xfc'";
+  sample.program.diagnostics[0].message = Message::as_written("word '\xfc'");
   EXPECT_TRUE(Json::accept(sample.text()));
 }
 

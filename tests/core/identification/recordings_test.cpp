@@ -266,7 +266,7 @@ TEST(Recordings, SayWhatIsWrongWithATraceOnItsProgram) {
   recordings.fit(start, fit_parameters_of(start, {"X.acceleration"}));
   ASSERT_EQ(recordings.remarks().size(), 1U);
   ASSERT_FALSE(recordings.remarks()[0].empty());
-  EXPECT_THAT(recordings.remarks()[0][0].message, HasSubstr("axis X of the trace is mirrored"));
+  EXPECT_THAT(recordings.remarks()[0][0].message.english(), HasSubstr("axis X of the trace is mirrored"));
 }
 
 /// As a feed hold of three seconds in the middle of a move leaves it.
@@ -297,7 +297,7 @@ TEST(Recordings, AreComparedWithoutAStretchInWhichTheMachineWasHeld) {
   EXPECT_NEAR(found.agreements[0].time_error(), 0, 0.01);
   ASSERT_EQ(recordings.remarks()[0].size(), 1U);
   EXPECT_EQ(recordings.remarks()[0][0].code, "trace-held");
-  EXPECT_THAT(recordings.remarks()[0][0].message,
+  EXPECT_THAT(recordings.remarks()[0][0].message.english(),
               HasSubstr("stands still for 3 s from 0.199 s on at line 2"));
 }
 

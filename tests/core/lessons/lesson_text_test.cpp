@@ -11,7 +11,7 @@ class LessonText : public test::LessonFolder {};
 
 TEST_F(LessonText, NumbersArePutIntoTheirPlaces) {
   EXPECT_EQ(filled("{a} and {b}, {{c}", {{"a", "1 s"}, {"b", "2 mm"}}), "1 s and 2 mm, {c}");
-  EXPECT_EQ(filled("", {}), "");
+  EXPECT_EQ(filled("", WrittenNumbers()), "");
 }
 
 TEST_F(LessonText, ClaimsAreSaidInWords) {

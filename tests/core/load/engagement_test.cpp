@@ -47,15 +47,16 @@ TEST(Engagement, LinesAreReadAsTheyAreWritten) {
 
 TEST(Engagement, SaysWhatIsWrongWithIt) {
   EXPECT_EQ(operation_problem(mill(12, Milling::up)), "");
-  EXPECT_THAT(operation_problem(mill(12.5, Milling::up)),
+  EXPECT_THAT(operation_problem(mill(12.5, Milling::up)).english(),
               testing::HasSubstr("ae_mm 12.5 is larger than diameter_mm 12"));
   Engagement ranged = mill(3, Milling::up);
   ranged.lines = {{20, 10}};
-  EXPECT_THAT(operation_problem(ranged), testing::HasSubstr("lines 20-10 is no range"));
+  EXPECT_THAT(operation_problem(ranged).english(), testing::HasSubstr("lines 20-10 is no range"));
   Engagement chips = mill(3, Milling::up);
   chips.least_chip = 0.02;
   chips.max_chip = 0.01;
-  EXPECT_THAT(operation_problem(chips), testing::HasSubstr("min_chip_um 20 is not below max_chip_um 10"));
+  EXPECT_THAT(operation_problem(chips).english(),
+              testing::HasSubstr("min_chip_um 20 is not below max_chip_um 10"));
 }
 
 TEST(Engagement, IsNamedByToolAndLines) {

@@ -142,7 +142,7 @@ TEST(GrblReading, DoesNotRunWhatItRejects) {
       "G2 I5\n"
       "T1 M6\n");
   EXPECT_THAT(lines_of(read.refused), ElementsAre(1, 4, 5, 7, 8));
-  EXPECT_THAT(read.refused[1].message, HasSubstr("error 20: H"));
+  EXPECT_THAT(read.refused[1].message.english(), HasSubstr("error 20: H"));
   ASSERT_EQ(read.path->segments.size(), 2U);
   EXPECT_EQ(read.path->segments[1].line, 6U);
   EXPECT_DOUBLE_EQ(read.path->segments[1].feed, 10);  // the feed of a rejected line is lost

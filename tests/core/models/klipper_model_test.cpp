@@ -149,7 +149,7 @@ TEST(KlipperReading, RunsNoLineWithoutItsCommand) {
     lines.push_back(note.line);
   }
   EXPECT_THAT(lines, ElementsAre(3, 4, 5, 6, 8, 9));
-  EXPECT_THAT(read.refused[0].message, HasSubstr("unknown command X20"));
+  EXPECT_THAT(read.refused[0].message.english(), HasSubstr("unknown command X20"));
   ASSERT_EQ(read.path->segments.size(), 2U);
   EXPECT_DOUBLE_EQ(read.path->segments[0].feed, 25);  // a rapid runs at the feed in force
   EXPECT_FALSE(read.path->segments[0].rapid);
@@ -216,8 +216,8 @@ TEST(KlipperLimits, RejectsLinesWithoutSense) {
     lines.push_back(note.line);
   }
   EXPECT_THAT(lines, ElementsAre(1, 2, 3, 4, 5));
-  EXPECT_THAT(read.refused[1].message, HasSubstr("M204 needs S, or P and T"));
-  EXPECT_THAT(read.refused[4].message, HasSubstr("invalid value of ACCEL"));
+  EXPECT_THAT(read.refused[1].message.english(), HasSubstr("M204 needs S, or P and T"));
+  EXPECT_THAT(read.refused[4].message.english(), HasSubstr("invalid value of ACCEL"));
 }
 
 /// *Why here?* names the limits in force at the place, not those of the machine.

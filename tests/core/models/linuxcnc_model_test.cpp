@@ -250,8 +250,8 @@ TEST(LinuxCncLeavesOut, WhatItsRunsName) {
     const struct Setup setup = make_setup({.machine = "five-axis-table-ac", .model = model});
     const LoadedProgram loaded = load_program(std::make_shared<const SourceText>("test.ngc", text));
     std::string all;
-    for (const std::string& note : run_notes(loaded, setup)) {
-      all += note + '\n';
+    for (const Message& note : run_notes(loaded, setup)) {
+      all += note.english() + '\n';
     }
     return all;
   };

@@ -6,7 +6,7 @@ namespace feedscope {
 namespace {
 
 DiagnosticLog::Text text() {
-  return {"message", "hint"};
+  return {Message::as_written("message"), Message::as_written("hint")};
 }
 
 TEST(DiagnosticLog, KeepsTenOfAKindAndCountsTheRest) {

@@ -178,8 +178,8 @@ TEST(IsoDiagnostics, ColumnsCountBytesFromOneInEveryStyle) {
 TEST(IsoDiagnostics, TextInMessagesIsShortAndPlain) {
   const Program program = read_text("G0 X1\nX[\xFE\xFF" + std::string(500, '1') + "]");
   ASSERT_EQ(program.diagnostics.size(), 1U);
-  EXPECT_THAT(program.diagnostics[0].message, HasSubstr("\"??1111"));
-  EXPECT_LT(program.diagnostics[0].message.size(), 100U);
+  EXPECT_THAT(program.diagnostics[0].message.english(), HasSubstr("\"??1111"));
+  EXPECT_LT(program.diagnostics[0].message.english().size(), 100U);
 }
 
 TEST(IsoDiagnostics, EveryGCodeOnceSaysAtMostOneThing) {

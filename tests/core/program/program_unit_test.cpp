@@ -119,7 +119,7 @@ TEST(ProgramUnit, AWordBehindTheFirstMotionIsTooLate) {
 TEST(ProgramUnit, SizesOfInchesAreSaidToLookLikeThem) {
   const auto hint = [](Dialect dialect, const std::string& text) {
     const auto found = assumed(read(dialect, text));
-    return found.empty() ? std::string() : found[0].hint;
+    return found.empty() ? std::string() : found[0].hint.english();
   };
   const std::string small = "G0 X0 Y0 Z1\nG1 Z-.25 F10\nX4 F80\nY3\nX0\nY0\n";
   EXPECT_NE(hint(Dialect::fanuc, small).find("4 x 3 x 1.25 mm cut at 80 mm/min"), std::string::npos)

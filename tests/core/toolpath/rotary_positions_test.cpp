@@ -109,14 +109,14 @@ TEST(TurnedParts, StayWhereTheProgramOnlySendsAxesToAngles) {
   EXPECT_NEAR(path->rotary_turns[0].to[0], 20 * deg, 1e-12);
   ASSERT_EQ(path->machine_faults.size(), 1U);
   EXPECT_EQ(path->machine_faults[0].code, "rotary-position");
-  EXPECT_THAT(path->machine_faults[0].message, testing::HasSubstr("the part stays as programmed"));
+  EXPECT_THAT(path->machine_faults[0].message.english(), testing::HasSubstr("the part stays as programmed"));
 }
 
 TEST(TurnedParts, MayBringTheToolOutOfReach) {
   const auto path = path_on_table(
       "TRAORI\nG0 X0 Y0 Z0 A3=0 B3=-0.9 C3=0.436\nG1 F5000 X10 A3=0 B3=-0.91 C3=0.4146\n", {100, 0, 0});
   ASSERT_FALSE(path->machine_faults.empty());
-  EXPECT_THAT(path->machine_faults[0].message, testing::HasSubstr("in the part as it is turned"));
+  EXPECT_THAT(path->machine_faults[0].message.english(), testing::HasSubstr("in the part as it is turned"));
 }
 
 TEST(EndlessAxes, GoTheWayThatIsAskedFor) {

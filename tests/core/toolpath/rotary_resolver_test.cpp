@@ -180,7 +180,7 @@ TEST(RotaryMoves, BeyondTravelAndOutOfReachAreSaidWithTheirLine) {
   ASSERT_EQ(beyond->machine_faults.size(), 1);
   EXPECT_EQ(beyond->machine_faults[0].line, 2);
   EXPECT_EQ(beyond->machine_faults[0].code, "rotary-travel");
-  EXPECT_THAT(beyond->machine_faults[0].message,
+  EXPECT_THAT(beyond->machine_faults[0].message.english(),
               HasSubstr("axis A goes to 70 degrees, beyond its travel from -100 to 50"));
   const auto out = run_on(trunnion(), "G0 X1\nG68.2 X0 Y0 Z0 I0 J120 K0\nG53.1\n");
   ASSERT_EQ(out->machine_faults.size(), 1);
@@ -221,7 +221,7 @@ TEST(RotaryMoves, SayWhereAControlMayTakeAShorterWay) {
   const Program program = read_for("G0 X1\nC350\n", Dialect::fanuc);
   ASSERT_EQ(program.diagnostics.size(), 1);
   EXPECT_EQ(program.diagnostics[0].code, "rotary-way");
-  EXPECT_EQ(program.diagnostics[0].message, "axis C turns by 350 degrees, from 0 to 350");
+  EXPECT_EQ(program.diagnostics[0].message.english(), "axis C turns by 350 degrees, from 0 to 350");
 }
 
 TEST(RotaryMoves, ReachTheDirectionsOfRandomPlanes) {
@@ -346,7 +346,8 @@ TEST(SegmentTurns, SayWhatIsMissingToFollowTheTip) {
   ASSERT_EQ(path->machine_faults.size(), 1);
   EXPECT_EQ(path->machine_faults[0].severity, Severity::warning);
   EXPECT_EQ(not_counted(*path).tip_followings, 1U);
-  EXPECT_THAT(path->machine_faults[0].message, HasSubstr("not known without tool length and part zero"));
+  EXPECT_THAT(path->machine_faults[0].message.english(),
+              HasSubstr("not known without tool length and part zero"));
   EXPECT_NEAR(path->segment_turns.at(0).limit.speed, 300 / 9.0, 1e-9);
 }
 
@@ -372,7 +373,7 @@ TEST(SegmentTurns, NameTheSlowestPlaceNearTheSingularPosition) {
   ASSERT_EQ(path->machine_faults.size(), 1);
   EXPECT_EQ(path->machine_faults[0].severity, Severity::info);
   EXPECT_EQ(path->machine_faults[0].line, 3);
-  EXPECT_EQ(path->machine_faults[0].message,
+  EXPECT_EQ(path->machine_faults[0].message.english(),
             "axis C holds the feed at 2000 of 5000 mm/min near its singular position: the tool is 5 degrees "
             "from its axis");
   EXPECT_TRUE(at_tip("TRAORI\nG0 X0 Y0 Z5 A40\nG1 X10 C90 F5000\n")->machine_faults.empty());
@@ -473,7 +474,7 @@ TEST(ToolVectors, ThatCannotBeFollowedAreReported) {
     std::vector<std::string> found;
     for (const Diagnostic& diagnostic : read_for(text, dialect).diagnostics) {
       if (diagnostic.code == "rotary-direction") {
-        found.push_back(diagnostic.message);
+        found.push_back(diagnostic.message.english());
       }
     }
     return found;
@@ -486,13 +487,14 @@ TEST(ToolVectors, ThatCannotBeFollowedAreReported) {
               ElementsAre("a tool direction (TX TY TZ) without M128 or FUNCTION TCPM"));
   const auto below = run_on(trunnion(), "TRAORI\nG1 X10 F100 A3=0 B3=1 C3=-1\n", Dialect::sinumerik);
   ASSERT_EQ(below->machine_faults.size(), 1U);
-  EXPECT_THAT(below->machine_faults.front().message, HasSubstr("of the tool vector"));
+  EXPECT_THAT(below->machine_faults.front().message.english(), HasSubstr("of the tool vector"));
   // From one side of the singular position to the other: C turns by 180 degrees or A changes its side.
   const auto across =
       run_on(trunnion(), "TRAORI\nG1 X10 F1000 B3=-0.9 C3=1\nX20 A3=0.9 B3=0 C3=1\n", Dialect::sinumerik);
   EXPECT_THAT(across->machine_faults,
-              testing::Contains(
-                  testing::Field(&Diagnostic::message, HasSubstr("turns by 90 degrees within one block"))));
+              testing::Contains(testing::Field(
+                  &Diagnostic::message,
+                  testing::Property(&Message::english, HasSubstr("turns by 90 degrees within one block")))));
 }
 
 TEST(SegmentTurns, AreGivenUpWhenCancelled) {

@@ -91,9 +91,9 @@ TEST(ReadTrace, SaysThatActualPositionsAreUsedWhereThereAreNoOthers) {
   const Trace actual = parse_trace(table("time_s,actual_x_mm,actual_y_mm\n", "{t},{x},{y}\n"), "t.csv");
   expect_table(actual);
   EXPECT_EQ(codes(actual), "trace-actual:0 ");
-  EXPECT_THAT(actual.notes[0].message, HasSubstr("no set positions of X, Y"));
+  EXPECT_THAT(actual.notes[0].message.english(), HasSubstr("no set positions of X, Y"));
   const Trace one = parse_trace(table("time_s,x_mm,actual_y_mm\n", "{t},{x},{y}\n"), "t.csv");
-  EXPECT_THAT(one.notes[0].message, HasSubstr("no set positions of Y:"));
+  EXPECT_THAT(one.notes[0].message.english(), HasSubstr("no set positions of Y:"));
   // Whoever names the columns knows.
   EXPECT_THAT(parse_trace(table("time_s,actual_x_mm,actual_y_mm\n", "{t},{x},{y}\n"), "t.csv",
                           parse_trace_columns("x=actual_x_mm,y=actual_y_mm"))
@@ -170,15 +170,15 @@ std::string even_motion(const std::function<double(int)>& change) {
 TEST(ReadTrace, SaysWhereSamplesAreMissingWithoutAGapInTheTimes) {
   const Trace trace = parse_trace(even_motion([](int i) { return i >= 50 ? 40.0 : 0; }), "t.csv");
   EXPECT_EQ(codes(trace), "trace-jump:52 ");
-  EXPECT_THAT(trace.notes[0].message, HasSubstr("jumps by 40.1 mm within 1 ms at 0.05 s"));
-  EXPECT_THAT(trace.notes[0].hint, HasSubstr("too short"));
+  EXPECT_THAT(trace.notes[0].message.english(), HasSubstr("jumps by 40.1 mm within 1 ms at 0.05 s"));
+  EXPECT_THAT(trace.notes[0].hint.english(), HasSubstr("too short"));
   EXPECT_THAT(parse_trace(even_motion([](int) { return 0.0; }), "t.csv").notes, IsEmpty());
 }
 
 TEST(ReadTrace, SaysWhichSampleLiesBesideTheOthers) {
   const Trace trace = parse_trace(even_motion([](int i) { return i == 50 ? 500.0 : 0; }), "t.csv");
   EXPECT_EQ(codes(trace), "trace-jump:52 ");
-  EXPECT_THAT(trace.notes[0].message, HasSubstr("the sample at 0.05 s lies 500.1 mm beside"));
+  EXPECT_THAT(trace.notes[0].message.english(), HasSubstr("the sample at 0.05 s lies 500.1 mm beside"));
 }
 
 TEST(ReadTrace, TakesThePeriodAndColumnsThatAreGiven) {
@@ -229,11 +229,11 @@ TEST(ReadTrace, SaysThatARateIsWrongThatItsFeedContradicts) {
   const auto columns = parse_trace_columns("linuxcnc,rate=1000");
   const Trace wrong = parse_trace(circle(2e-3), "t.txt", columns);
   ASSERT_EQ(codes(wrong), "trace-rate:0 ");
-  EXPECT_THAT(wrong.notes[0].message, HasSubstr("move at 200 % of the feed"));
-  EXPECT_THAT(wrong.notes[0].hint, HasSubstr("--columns linuxcnc,rate=500;"));
+  EXPECT_THAT(wrong.notes[0].message.english(), HasSubstr("move at 200 % of the feed"));
+  EXPECT_THAT(wrong.notes[0].hint.english(), HasSubstr("--columns linuxcnc,rate=500;"));
   const Trace slow = parse_trace(circle(0.5e-3), "t.txt", columns);
   ASSERT_EQ(codes(slow), "trace-rate:0 ");
-  EXPECT_THAT(slow.notes[0].hint, HasSubstr("rate=2000;"));
+  EXPECT_THAT(slow.notes[0].hint.english(), HasSubstr("rate=2000;"));
   EXPECT_EQ(codes(parse_trace(circle(1e-3), "t.txt", columns)), "");
   EXPECT_EQ(codes(parse_trace(circle(1e-3, 60), "t.txt", columns)), "")
       << "a feed in mm/min is no other rate";

@@ -14,7 +14,7 @@ namespace {
 
 Diagnostic diagnostic(Severity severity, std::uint32_t line, std::uint32_t column,
                       const std::string& file = "") {
-  return {severity, line, column, "code", "message", "hint", file};
+  return {severity, line, column, "code", Message::as_written("message"), Message::as_written("hint"), file};
 }
 
 /// Diagnostics out of order, of the file as a whole and of another file among them.
@@ -51,15 +51,17 @@ TEST(DiagnosticsModel, ListsByLineThenOtherFilesThenMessages) {
 
 TEST(DiagnosticsModel, AMessageOfManyPlacesIsOneRowWithTheirCount) {
   auto program = std::make_shared<Program>();
-  Diagnostic closing{Severity::info, 4, 0, "turn", "2 more of this kind up to line 9", "", "", 2, 9};
+  Diagnostic closing{
+      Severity::info, 4, 0, "turn", Message::as_written("2 more of this kind up to line 9"), {}, "", 2, 9};
   Diagnostic other = closing;  // of a kind of which several are kept
   other.code = "code";
   other.severity = Severity::warning;
-  program->diagnostics = {{Severity::info, 2, 1, "turn", "axes turn", "hint"},
-                          diagnostic(Severity::warning, 2, 3),
-                          diagnostic(Severity::warning, 3, 1),
-                          other,
-                          closing};
+  program->diagnostics = {
+      {Severity::info, 2, 1, "turn", Message::as_written("axes turn"), Message::as_written("hint")},
+      diagnostic(Severity::warning, 2, 3),
+      diagnostic(Severity::warning, 3, 1),
+      other,
+      closing};
   DiagnosticsModel model;
   model.set_program(program);
   ASSERT_EQ(model.rowCount(), 4);
@@ -70,10 +72,17 @@ TEST(DiagnosticsModel, AMessageOfManyPlacesIsOneRowWithTheirCount) {
 
 TEST(DiagnosticsModel, SpeaksTheLanguageOfTheWindow) {
   auto program = std::make_shared<Program>();
-  program->diagnostics = {
-      {Severity::warning, 2, 3, "feed-missing", "a feed move without a feed",
-       "it runs as fast as the axes allow; write F before it"},
-      {Severity::warning, 3, 0, "feed-missing", "8 more of this kind up to line 9", "", "", 8, 9}};
+  program->diagnostics = {{Severity::warning, 2, 3, "feed-missing", NC_("core", "a feed move without a feed"),
+                           NC_("core", "it runs as fast as the axes allow; write F before it")},
+                          {Severity::warning,
+                           3,
+                           0,
+                           "feed-missing",
+                           message(NC_("core", "{} more of this kind up to line {}"), 8, 9),
+                           {},
+                           "",
+                           8,
+                           9}};
   DiagnosticsModel model;
   model.set_program(program);
   const DiagnosticMarks marks(*program);

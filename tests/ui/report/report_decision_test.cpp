@@ -75,7 +75,8 @@ TEST(ReportDecision, ABoundTakesAnotherRun) {
 
 TEST(ReportDecision, ARunThatCannotBeSimulatedIsNamed) {
   ReportInput input = test::two_runs();
-  input.unmade = {{"optimal, path ward", "setting path: the path of ward needs more than 5 curves"}};
+  input.unmade = {
+      {"optimal, path ward", Message::as_written("setting path: the path of ward needs more than 5 curves")}};
   EXPECT_THAT(decision_page(input, "{{verdict}}"),
               HasSubstr("<b>optimal, path ward could not be simulated.</b> setting path: the path of ward"));
 }

@@ -128,7 +128,7 @@ ReportInput said(ReportInput input, std::vector<Severity> severities) {
   auto program = std::make_shared<Program>(*input.program().program);
   program->diagnostics.clear();
   for (const Severity severity : severities) {
-    program->diagnostics.push_back({severity, 1, 1, "code", "something", ""});
+    program->diagnostics.push_back({severity, 1, 1, "code", Message::as_written("something"), {}});
   }
   for (ReportRun& run : input.runs) {
     auto shown = std::make_shared<ShownRun>(*run.shown);

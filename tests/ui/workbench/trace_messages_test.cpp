@@ -26,8 +26,9 @@ TEST(TraceMessages, NameNoOptionOfTheCommandLine) {
 
 TEST(TraceMessages, SendToTheDialogOfTheWindow) {
   Diagnostic message;
-  message.message = "axis X of the trace is mirrored; it is used with the other sign";
-  message.hint = "give its column a minus sign, as --columns x=2:-mm, where that is right";
+  message.message = Message::as_written("axis X of the trace is mirrored; it is used with the other sign");
+  message.hint =
+      Message::as_written("give its column a minus sign, as --columns x=2:-mm, where that is right");
   EXPECT_EQ(message_text(message).toStdString(),
             "Axis X of the trace is mirrored; it is used with the other sign. Give its column a minus sign "
             "(Trace import options), where that is right.");

@@ -7,7 +7,7 @@
 
 #include "core/base/units.h"
 #include "ui/circular/polar_plot.h"
-#include "ui/language/composed_text.h"
+#include "ui/language/in_language.h"
 #include "ui/language/language.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/paper/html_table.h"
@@ -116,8 +116,8 @@ QString circles_block(const ReportInput& input) {
       "the "
       "programmed one, where the same circle is run in both at one feed. Centre and radius are those of the "
       "tool centre; ccw, cw: counter-clockwise, clockwise in the plane."));
-  for (const std::string& note : program_circle_notes(circles)) {
-    html += caption_paragraph(html_text(composed_text(note)));
+  for (const Message& note : program_circle_notes(circles)) {
+    html += caption_paragraph(html_text(in_language(note)));
   }
   return html;
 }

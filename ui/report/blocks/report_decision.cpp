@@ -12,9 +12,8 @@
 #include "core/analysis/study/recommendation.h"
 #include "core/analysis/time/time_report.h"
 #include "ui/decide/decision_chart.h"
-#include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/language/remedy_text.h"
 #include "ui/language/texts.h"
 #include "ui/language/time_texts.h"
@@ -76,7 +75,7 @@ QString fault(const QString& html) {
 }
 
 QString message_text(const Diagnostic& message) {
-  const QString text = html_text(composed_text(message.message));
+  const QString text = html_text(in_language(message.message));
   return message.line == 0 ? text : ReportWords::tr("Line %1: %2").arg(message.line).arg(text);
 }
 
@@ -108,8 +107,8 @@ QString run_faults(const ReportInput& input) {
     if (const Diagnostic* first = first_fault(program.toolpath->machine_faults)) {
       texts.append(message_text(*first));
     }
-    if (const std::string refused = refused_note(program.lines_not_run); !refused.empty()) {
-      texts.append(html_text(composed_text(refused)));
+    if (const Message refused = refused_note(program.lines_not_run); !refused.empty()) {
+      texts.append(html_text(in_language(refused)));
     }
   }
   texts.removeDuplicates();
@@ -124,7 +123,7 @@ QString unmade_runs(const ReportInput& input) {
   QString html;
   for (const UnmadeRun& run : input.unmade) {
     html += fault(ReportWords::tr("<b>%1 could not be simulated.</b> %2")
-                      .arg(html_text(run.name), html_text(failure_text(run.why))));
+                      .arg(html_text(run.name), html_text(in_language(run.why))));
   }
   return html;
 }
@@ -264,7 +263,7 @@ QString loss_table(const ReportInput& input) {
   for (const SlowGroup& group : input.time->slow.groups) {
     if (rows < most && group.loss >= worth_a_row * input.time->use.cycle_time) {
       table.add({html_text(group_place(group)) + figure_reference(card_picture_of(*input.time, group)),
-                 html_text(core_text(lost_to(group))), TimeTexts::gain(group.loss)});
+                 html_text(TimeTexts::lost_to(group)), TimeTexts::gain(group.loss)});
       ++rows;
     }
   }

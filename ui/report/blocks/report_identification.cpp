@@ -10,8 +10,8 @@
 #include "core/identification/recordings.h"
 #include "ui/identification/identification_texts.h"
 #include "ui/identification/residual_plot.h"
-#include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
+#include "ui/language/in_language.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 #include "ui/paper/html_table.h"
@@ -70,7 +70,7 @@ QString models_table(const IdentificationOutcome& outcome) {
     table.add({title, QStringLiteral("–"), QStringLiteral("–"), QStringLiteral("–"),
                ReportWords::tr("not fitted")});
     reasons +=
-        caption_paragraph(ReportWords::tr("%1: %2").arg(title, html_text(composed_text(unfitted.reason))));
+        caption_paragraph(ReportWords::tr("%1: %2").arg(title, html_text(in_language(unfitted.reason))));
   }
   return table.html() + reasons;
 }

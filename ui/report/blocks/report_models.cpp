@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
+#include "ui/language/in_language.h"
 #include "ui/paper/html_table.h"
 #include "ui/report/report_tables.h"
 #include "ui/report/report_words.h"
@@ -10,10 +10,10 @@ namespace feedscope::ui {
 
 namespace {
 
-QString list_of(const std::vector<std::string>& items) {
+QString list_of(const std::vector<Message>& items) {
   QString html;
-  for (const std::string& item : items) {
-    html += QStringLiteral("<li>%1</li>\n").arg(html_text(composed_text(item)));
+  for (const Message& item : items) {
+    html += QStringLiteral("<li>%1</li>\n").arg(html_text(in_language(item)));
   }
   return html.isEmpty() ? html : QStringLiteral("<ul>\n%1</ul>\n").arg(html);
 }
@@ -25,7 +25,7 @@ QString lead(const QString& text) {
 
 /// Names of the runs of one model with equal guarantees.
 struct Promise {
-  std::vector<std::string> sentences;
+  std::vector<Message> sentences;
   QStringList runs;
 };
 
@@ -36,7 +36,7 @@ std::vector<Promise> promises_of(const ReportInput& input, const ControlModel& m
     if (setup.model != &model) {
       continue;
     }
-    std::vector<std::string> said = sentences(model.guarantees(setup.settings));
+    std::vector<Message> said = sentences(model.guarantees(setup.settings));
     const auto same = std::ranges::find(promises, said, &Promise::sentences);
     if (same != promises.end()) {
       same->runs.append(run.name);

@@ -8,7 +8,7 @@
 #include "core/analysis/notes/undetermined_limits.h"
 #include "core/base/units.h"
 #include "ui/charts/cause_strip.h"
-#include "ui/language/composed_text.h"
+#include "ui/language/in_language.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 #include "ui/paper/html_table.h"
@@ -171,9 +171,9 @@ QString causes_table(const ReportInput& input, const std::vector<std::size_t>& c
 }  // namespace
 
 QString not_counted_sentences(const ReportInput& input) {
-  std::vector<std::pair<std::string, QStringList>> sets;
+  std::vector<std::pair<Message, QStringList>> sets;
   for (std::size_t i = 0; i < input.runs.size(); ++i) {
-    const std::string events = describe(summary_of(input.runs[i]).not_counted);
+    const Message events = describe(summary_of(input.runs[i]).not_counted);
     auto known = std::ranges::find(sets, events, [](const auto& set) { return set.first; });
     if (known == sets.end()) {
       known = sets.insert(sets.end(), {events, {}});
@@ -185,7 +185,7 @@ QString not_counted_sentences(const ReportInput& input) {
     if (events.empty()) {
       continue;
     }
-    const QString shown = html_text(composed_text(events));
+    const QString shown = html_text(in_language(events));
     html += QStringLiteral("<p class=\"small\">%1</p>\n")
                 .arg(sets.size() == 1 ? ReportWords::tr("Not in the cycle time: %1.").arg(shown)
                                       : ReportWords::tr("Not in the cycle time of %1: %2.")
@@ -195,15 +195,15 @@ QString not_counted_sentences(const ReportInput& input) {
 }
 
 QString run_notes_text(const ReportInput& input) {
-  std::vector<std::pair<std::string, QStringList>> notes;
+  std::vector<std::pair<Message, QStringList>> notes;
   for (std::size_t i = 0; i < input.runs.size(); ++i) {
     const ReportRun& run = input.runs[i];
-    std::vector<std::string> all = run_notes(run.shown->run.input, run.shown->run.setup);
+    std::vector<Message> all = run_notes(run.shown->run.input, run.shown->run.setup);
     for (const UndeterminedLimit& limit : undetermined_limits(run.shown->run)) {
       all.push_back(describe(limit));
     }
-    for (const std::string& note : all) {
-      auto same = std::ranges::find(notes, note, &std::pair<std::string, QStringList>::first);
+    for (const Message& note : all) {
+      auto same = std::ranges::find(notes, note, &std::pair<Message, QStringList>::first);
       if (same == notes.end()) {
         same = notes.insert(notes.end(), {note, {}});
       }
@@ -212,7 +212,7 @@ QString run_notes_text(const ReportInput& input) {
   }
   QString html;
   for (const auto& [note, runs] : notes) {
-    const QString said = html_text(composed_text(note));
+    const QString said = html_text(in_language(note));
     html += QStringLiteral("<p class=\"small\">%1</p>\n")
                 .arg(runs.size() == static_cast<qsizetype>(input.runs.size())
                          ? said

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/analysis/run/program_facts.h"
-#include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
+#include "ui/language/in_language.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 #include "ui/paper/html_table.h"

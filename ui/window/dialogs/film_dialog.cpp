@@ -23,7 +23,7 @@
 #include "ui/fields/number_box.h"
 #include "ui/fields/whole_number_box.h"
 #include "ui/film/ogg_film.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/language/texts.h"
 #include "ui/session/session_file.h"
 #include "ui/shared/paths.h"

@@ -18,7 +18,7 @@
 #include "core/base/error.h"
 #include "ui/fields/number_box.h"
 #include "ui/fields/whole_number_box.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/session/session_file.h"
 #include "ui/shared/paths.h"
 #include "ui/window/dialogs/language_box.h"

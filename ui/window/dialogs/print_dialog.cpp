@@ -14,7 +14,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/report/paged_pdf.h"
 #include "ui/session/session_file.h"
 #include "ui/shared/panel_action.h"

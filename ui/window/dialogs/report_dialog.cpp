@@ -20,7 +20,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/session/session_file.h"
 #include "ui/shared/paths.h"
 #include "ui/window/dialogs/language_box.h"

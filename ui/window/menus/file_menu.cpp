@@ -11,7 +11,7 @@
 #include "core/base/data_folder.h"
 #include "core/base/error.h"
 #include "ui/charts/charts_panel.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/language/language.h"
 #include "ui/program_text/reading_dialog.h"
 #include "ui/session/session_file.h"

@@ -6,9 +6,8 @@
 
 #include "core/analysis/run/run.h"
 #include "core/base/error.h"
-#include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/shared/paths.h"
 #include "ui/workbench/workbench.h"
 
@@ -26,9 +25,9 @@ QString note_text(const Diagnostic& note, const QString& file) {
   if (note.line > 0) {
     place += QStringLiteral(":%1").arg(note.line);
   }
-  const QString hint = note.hint.empty() ? QString() : QStringLiteral(" (%1)").arg(composed_text(note.hint));
+  const QString hint = note.hint.empty() ? QString() : QStringLiteral(" (%1)").arg(in_language(note.hint));
   return QStringLiteral("%1: %2: %3 [%4]%5")
-      .arg(place, composed_text(std::string(to_string(note.severity))), composed_text(note.message),
+      .arg(place, core_text(std::string(to_string(note.severity))), in_language(note.message),
            QString::fromStdString(note.code), hint);
 }
 

@@ -1,34 +1,33 @@
 #include "core/program/heidenhain/cycles/cycle.h"
 
-#include <fmt/format.h>
-
 namespace feedscope::heidenhain {
 
 namespace {
 
-std::string_view text_of(DrillingFault fault) {
+Translatable text_of(DrillingFault fault) {
   switch (fault) {
     case DrillingFault::none:
       break;
     case DrillingFault::depth:
-      return "its depth Q201 is above the surface; write it negative";
+      return NC_("core", "its depth Q201 is above the surface; write it negative");
     case DrillingFault::by_diameter:
-      return "centring to a diameter needs the tool's point angle; write Q343=0 and the depth";
+      return NC_("core", "centring to a diameter needs the tool's point angle; write Q343=0 and the depth");
     case DrillingFault::tool_radius:
-      return "the radius of the tool is not known; write a TOOL DEF with R before the tool call";
+      return NC_("core", "the radius of the tool is not known; write a TOOL DEF with R before the tool call");
     case DrillingFault::pitch:
-      return "it has no pitch or the spindle no speed; write S in the tool call";
+      return NC_("core", "it has no pitch or the spindle no speed; write S in the tool call");
     case DrillingFault::steps:
-      return "it would take more than 10000 infeeds, or its infeeds are negative; check Q202 and the other "
-             "infeeds";
+      return NC_("core",
+                 "it would take more than 10000 infeeds, or its infeeds are negative; check Q202 and the "
+                 "other infeeds");
     case DrillingFault::infeeds:
-      return "several infeeds (Q202 below its depth) are not supported; write Q202=0 for one";
+      return NC_("core", "several infeeds (Q202 below its depth) are not supported; write Q202=0 for one");
     case DrillingFault::counterbore:
-      return "its depth Q249 is not above zero; write it positive";
+      return NC_("core", "its depth Q249 is not above zero; write it positive");
     case DrillingFault::direction:
-      return "the direction Q214 in which the tool passes the hole is not 1 to 4";
+      return NC_("core", "the direction Q214 in which the tool passes the hole is not 1 to 4");
   }
-  return "";
+  return {};
 }
 
 }  // namespace
@@ -41,8 +40,8 @@ DrillingPlace drilling_place(const Context& context) {
 void report_fault(const Context& context, int number, DrillingFault fault, std::uint32_t column) {
   if (fault != DrillingFault::none) {
     context.report(Severity::error, "cycle-value", number * 10 + static_cast<int>(fault), column, [&] {
-      return DiagnosticLog::Text{fmt::format("cycle {} is not executed: {}", number, text_of(fault)),
-                                 "its motion is skipped"};
+      return DiagnosticLog::Text{message(NC_("core", "cycle {} is not executed: {}"), number, text_of(fault)),
+                                 NC_("core", "its motion is skipped")};
     });
   }
 }

@@ -28,9 +28,9 @@ void CycleCalls::call_at_pattern(const MotionWords& words, std::uint32_t column)
   const Cycle& cycle = cycles_.in_force();
   if (pattern_.empty() || cycle.kind == Cycle::Kind::program) {
     report(Severity::error, "cycle-call", 1, column, [&] {
-      return Text{pattern_.empty() ? "CYCL CALL PAT without PATTERN DEF"
-                                   : "CYCL CALL PAT of a program (cycle 12) is not supported",
-                  "the calls are skipped"};
+      return Text{pattern_.empty() ? NC_("core", "CYCL CALL PAT without PATTERN DEF")
+                                   : NC_("core", "CYCL CALL PAT of a program (cycle 12) is not supported"),
+                  NC_("core", "the calls are skipped")};
     });
     return;
   }

@@ -1,7 +1,5 @@
 #include "core/program/heidenhain/cycles/cycle_parameters.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -37,8 +35,8 @@ void CycleParameters::read_into(QParameters& into, Scanner& scanner) {
     if (!name || !scanner.take('=')) {
       if (began) {
         throw ReadFault{"cycle-parameter", column,
-                        fmt::format("{} is not a parameter", in_quotes(scanner.rest())),
-                        "write parameters as Q200=2"};
+                        message(NC_("core", "{} is not a parameter"), in_quotes(scanner.rest())),
+                        NC_("core", "write parameters as Q200=2")};
       }
       // The title.
       scanner.move_to(std::max(before, static_cast<std::size_t>(column) - 1) + 1);
@@ -49,8 +47,8 @@ void CycleParameters::read_into(QParameters& into, Scanner& scanner) {
       const std::optional<double> value = predefined_.get(*name);
       if (!value) {
         throw ReadFault{"cycle-parameter", column,
-                        fmt::format("PREDEF for {} without a GLOBAL DEF", name->text()),
-                        "write a number, or the GLOBAL DEF before it"};
+                        message(NC_("core", "PREDEF for {} without a GLOBAL DEF"), name->text()),
+                        NC_("core", "write a number, or the GLOBAL DEF before it")};
       }
       into.set(*name, *value);
       continue;
@@ -64,7 +62,8 @@ void CycleParameters::read_into(QParameters& into, Scanner& scanner) {
       into.set(*name, read_value(scanner) * modal_.spindle_speed);
     } else if (f || scanner.take_keyword("AUTO")) {
       throw ReadFault{"cycle-parameter", column,
-                      fmt::format("this value of {} is not supported", name->text()), "write a number"};
+                      message(NC_("core", "this value of {} is not supported"), name->text()),
+                      NC_("core", "write a number")};
     } else {
       into.set(*name, read_value(scanner));
     }
@@ -77,16 +76,16 @@ std::optional<DrillingParameters> CycleParameters::drilling(int number, std::uin
     const std::optional<double> value = parameters().global(parameter.q);
     if (!value) {
       report(Severity::error, "cycle-parameter", parameter.q, column, [&] {
-        return Text{fmt::format("cycle {} has no value for Q{}", number, parameter.q),
-                    "the cycle is skipped; write all of its parameters"};
+        return Text{message(NC_("core", "cycle {} has no value for Q{}"), number, parameter.q),
+                    NC_("core", "the cycle is skipped; write all of its parameters")};
       });
       return std::nullopt;
     }
     if (!(std::abs(*value) <= largest_cycle_value)) {
       throw ReadFault{"cycle-parameter", column,
-                      fmt::format("cycle {}: Q{} is {}, beyond the largest number, 1000000000", number,
-                                  parameter.q, *value),
-                      "the cycle is skipped"};
+                      message(NC_("core", "cycle {}: Q{} is {}, beyond the largest number, 1000000000"),
+                              number, parameter.q, *value),
+                      NC_("core", "the cycle is skipped")};
     }
     words.*parameter.value = parameter.unit == CycleUnit::length ? to_mm(*value)
                              : parameter.unit != CycleUnit::feed ? *value
@@ -95,8 +94,9 @@ std::optional<DrillingParameters> CycleParameters::drilling(int number, std::uin
   }
   if (words.to_shoulder != 0) {
     report(Severity::warning, "cycle-value", number * 10, column, [&] {
-      return Text{fmt::format("cycle {}: Q395=1 measures the depth to the cylinder of the drill", number),
-                  "the length of its point is in the tool table; the depth is shown as that of the tip"};
+      return Text{
+          message(NC_("core", "cycle {}: Q395=1 measures the depth to the cylinder of the drill"), number),
+          NC_("core", "the length of its point is in the tool table; the depth is shown as that of the tip")};
     });
   }
   return words;

@@ -1,7 +1,5 @@
 #include "core/program/heidenhain/cycles/cycles.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
@@ -22,7 +20,7 @@ void Cycles::define(int number, std::string_view title, Scanner& parameters, std
   if (PatternCycles::has(number)) {
     patterns_.run(number, cycle_, column);
   } else if (number == datum_setting) {
-    coordinates_.set_preset("cycle 247", false, column);
+    coordinates_.set_preset(NC_("core", "cycle 247"), false, column);
   } else if (parameters_of_drilling(number).empty()) {
     skip(number, title, column);
   } else {
@@ -79,18 +77,19 @@ void Cycles::set_old_drilling(int number, int part, double value) {
 }
 
 void Cycles::skip(int number, std::string_view title, std::uint32_t column) {
-  const auto name = [&] {
-    return title.empty() ? fmt::format("cycle {}", number) : fmt::format("cycle {} ({})", number, title);
+  const auto what = [&] {
+    return title.empty() ? message(NC_("core", "cycle {} is not supported"), number)
+                         : message(NC_("core", "cycle {} ({}) is not supported"), number, title);
   };
   if (std::find(motionless_cycles.begin(), motionless_cycles.end(), number) != motionless_cycles.end()) {
     report(Severity::info, "unread-cycle", number, column, [&] {
-      return Text{fmt::format("{} is not supported", name()), "it does not move by itself"};
+      return Text{what(), NC_("core", "it does not move by itself")};
     });
     return;
   }
   set(number, Cycle::Kind::unsupported);
   report(Severity::error, "unread-cycle", number, column, [&] {
-    return Text{fmt::format("{} is not supported", name()), "its motion is skipped wherever it is called"};
+    return Text{what(), NC_("core", "its motion is skipped wherever it is called")};
   });
 }
 
@@ -101,7 +100,8 @@ void Cycles::call(std::uint32_t column, double surface_offset) {
   switch (cycle_.kind) {
     case Cycle::Kind::none:
       report(Severity::error, "cycle-call", 0, column, [] {
-        return Text{"a cycle is called, but none is defined", "the call is skipped"};
+        return Text{NC_("core", "a cycle is called, but none is defined"),
+                    NC_("core", "the call is skipped")};
       });
       break;
     case Cycle::Kind::drilling:

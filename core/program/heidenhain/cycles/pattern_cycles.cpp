@@ -1,7 +1,5 @@
 #include "core/program/heidenhain/cycles/pattern_cycles.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -35,10 +33,10 @@ std::vector<Vec2> PatternCycles::places(int number, std::uint32_t column) const 
   const auto value = [&](int q) { return parameters_.value(q); };
   const auto count = [&](int q) {
     if (!(value(q) >= 1 && value(q) <= most)) {
-      throw ReadFault{
-          "cycle-parameter", column,
-          fmt::format("cycle {}: Q{} is {}, not a number of places from 1 to {}", number, q, value(q), most),
-          "the pattern is skipped"};
+      throw ReadFault{"cycle-parameter", column,
+                      message(NC_("core", "cycle {}: Q{} is {}, not a number of places from 1 to {}"), number,
+                              q, value(q), most),
+                      NC_("core", "the pattern is skipped")};
     }
     return static_cast<int>(value(q));
   };
@@ -95,13 +93,13 @@ void PatternCycles::run(int number, const Cycle& repeated, std::uint32_t column)
   const bool is_old = repeated.kind == Cycle::Kind::old_drilling;
   if (repeated.kind != Cycle::Kind::drilling && !is_old) {
     throw ReadFault{"cycle-call", column,
-                    fmt::format("cycle {} repeats a cycle, but none is defined", number),
-                    "the pattern is skipped; define a cycle from 200 to 209 or 240 before it"};
+                    message(NC_("core", "cycle {} repeats a cycle, but none is defined"), number),
+                    NC_("core", "the pattern is skipped; define a cycle from 200 to 209 or 240 before it")};
   }
   if (number == circle_pattern && parameters().global(traverse_on_circle).value_or(0) != 0) {
     report(Severity::info, "cycle-value", number * 10, column, [] {
-      return Text{"cycle 220: Q365=1 goes from place to place on the circle",
-                  "the holes are right, the way between them is shown straight"};
+      return Text{NC_("core", "cycle 220: Q365=1 goes from place to place on the circle"),
+                  NC_("core", "the holes are right, the way between them is shown straight")};
     });
   }
   const std::vector<Vec2> places = this->places(number, column);

@@ -1,7 +1,5 @@
 #include "core/program/heidenhain/geometry/approaches.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <string_view>
 
@@ -12,7 +10,8 @@ namespace feedscope::heidenhain {
 void Approaches::check_side(std::uint32_t column) const {
   if (modal_.side == 0) {
     report(Severity::warning, "approach-side", 0, column, [] {
-      return Text{"an approach or departure without RL or RR", "the left side is assumed; write RL or RR"};
+      return Text{NC_("core", "an approach or departure without RL or RR"),
+                  NC_("core", "the left side is assumed; write RL or RR")};
     });
   }
 }
@@ -21,35 +20,35 @@ ApproachShape Approaches::shape_of(ApproachKind kind, const MotionWords& words, 
   ApproachShape shape;
   shape.kind = kind;
   shape.side = modal_.side == 0 ? 1 : modal_.side;
-  const auto need = [&](const std::optional<double>& value, std::string_view name) {
+  const auto need = [&](const std::optional<double>& value, Translatable name) {
     if (!value || *value == 0) {
-      throw ReadFault{"approach", column, fmt::format("{} is missing or zero", name),
-                      "the approach or departure is skipped"};
+      throw ReadFault{"approach", column, message(NC_("core", "{} is missing or zero"), name),
+                      NC_("core", "the approach or departure is skipped")};
     }
     return *value;
   };
   switch (kind) {
     case ApproachKind::tangent_line:
     case ApproachKind::normal_line:
-      shape.length = std::abs(need(words.length, "its length LEN"));
+      shape.length = std::abs(need(words.length, NC_("core", "its length LEN")));
       if (kind == ApproachKind::normal_line && modal_.side != 0) {
         // From the tool's edge.
         shape.length += modal_.tool_radius.value_or(0);
       }
       break;
     case ApproachKind::arc:
-      shape.angle = std::abs(need(words.center_angle, "its angle CCA"));
+      shape.angle = std::abs(need(words.center_angle, NC_("core", "its angle CCA")));
       [[fallthrough]];
     case ApproachKind::line_and_arc:
-      shape.radius = need(words.radius, "its radius R");
+      shape.radius = need(words.radius, NC_("core", "its radius R"));
       shape.tool_radius = modal_.side == 0 ? 0 : modal_.tool_radius.value_or(0);
       if (shape.radius < 0 && shape.radius + shape.tool_radius >= 0) {
-        throw ReadFault{
-            "approach", column,
-            fmt::format(
-                "its radius R of {:.3f} mm on the other side is not larger than the tool radius, {:.3f} mm",
-                shape.radius, shape.tool_radius),
-            "the approach or departure is skipped"};
+        throw ReadFault{"approach", column,
+                        message(NC_("core",
+                                    "its radius R of {:.3f} mm on the other side is not larger than the tool "
+                                    "radius, {:.3f} mm"),
+                                shape.radius, shape.tool_radius),
+                        NC_("core", "the approach or departure is skipped")};
       }
       break;
   }
@@ -86,8 +85,9 @@ void Approaches::approach(ApproachKind kind, bool polar, const MotionWords& word
 
 void Approaches::soften(double radius, const MotionWords& words, std::uint32_t column) {
   if (!(radius > 0) || !contour_.soften_approach(radius, feeds_.alone(words))) {
-    throw ReadFault{"approach", column, "the preceding block is not a line to the first point of the contour",
-                    "the contour is approached straight"};
+    throw ReadFault{"approach", column,
+                    NC_("core", "the preceding block is not a line to the first point of the contour"),
+                    NC_("core", "the contour is approached straight")};
   }
   check_side(column);
 }

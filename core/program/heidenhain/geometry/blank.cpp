@@ -12,8 +12,8 @@ void Blank::set_corner(bool upper, const std::array<OptionalWord, 3>& words, std
     lower_ = corner;
   } else if (lower_ && !(corner.array() > lower_->array()).all()) {
     report(Severity::warning, "blank-form", 0, column, [] {
-      return Text{"the upper corner of the blank is not above the lower one in every axis",
-                  "the control refuses such a blank; the path does not depend on it"};
+      return Text{NC_("core", "the upper corner of the blank is not above the lower one in every axis"),
+                  NC_("core", "the control refuses such a blank; the path does not depend on it")};
     });
   }
 }

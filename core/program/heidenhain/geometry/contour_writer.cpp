@@ -1,7 +1,5 @@
 #include "core/program/heidenhain/geometry/contour_writer.h"
 
-#include <fmt/format.h>
-
 #include "core/program/path/plane_points.h"
 
 namespace feedscope::heidenhain {
@@ -53,13 +51,13 @@ void ContourWriter::flush() {
   if (approach_) {
     const ContourApproach approach = *approach_;
     approach_.reset();
-    report_approach(approach.place, "no contour follows the approach",
-                    "a line to its first point is used; write a contour element after it");
+    report_approach(approach.place, NC_("core", "no contour follows the approach"),
+                    NC_("core", "a line to its first point is used; write a contour element after it"));
     go(approach.target, approach.feed, approach.place);
   }
   if (corner_) {
-    report_corner("no contour element follows in the next block",
-                  "the corner stays sharp; write the corner between two lines or arcs");
+    report_corner(NC_("core", "no contour element follows in the next block"),
+                  NC_("core", "the corner stays sharp; write the corner between two lines or arcs"));
     corner_.reset();
   }
   write_held();
@@ -121,21 +119,23 @@ void ContourWriter::compensate(const ContourElement& element) {
 
 void ContourWriter::add_corner(const ContourCorner& corner) {
   if (corner_) {
-    report_corner("another rounding or chamfer follows", "the first one is skipped");
+    report_corner(NC_("core", "another rounding or chamfer follows"),
+                  NC_("core", "the first one is skipped"));
   }
   corner_ = corner;
   if (!held_ || approach_) {
-    report_corner("the preceding block is not a contour element",
-                  "it is skipped; write the corner between two lines or arcs");
+    report_corner(NC_("core", "the preceding block is not a contour element"),
+                  NC_("core", "it is skipped; write the corner between two lines or arcs"));
     corner_.reset();
   }
 }
 
-void ContourWriter::report_corner(std::string message, std::string hint) {
+void ContourWriter::report_corner(const Message& what, const Message& hint) {
   log_.add(Severity::error, "corner", 0, corner_->place.place, [&] {
-    return Text{fmt::format("the {} of {:.3f} mm: {}", corner_->rounding ? "rounding" : "chamfer",
-                            corner_->size, message),
-                std::move(hint)};
+    return Text{
+        message(NC_("core", "the {} of {:.3f} mm: {}"),
+                corner_->rounding ? NC_("core", "rounding") : NC_("core", "chamfer"), corner_->size, what),
+        hint};
   });
 }
 
@@ -180,10 +180,8 @@ bool ContourWriter::soften_approach(double radius, const std::optional<ContourFe
   return true;
 }
 
-void ContourWriter::report_approach(const BlockPlace& place, std::string message, std::string hint) {
-  log_.add(Severity::error, "approach", 0, place.place, [&] {
-    return Text{std::move(message), std::move(hint)};
-  });
+void ContourWriter::report_approach(const BlockPlace& place, const Message& what, const Message& hint) {
+  log_.add(Severity::error, "approach", 0, place.place, [&] { return Text{what, hint}; });
 }
 
 void ContourWriter::go(const Vec3& target, const ContourFeed& feed, const BlockPlace& place, int side,
@@ -219,8 +217,8 @@ void ContourWriter::resolve_approach(const ContourElement& first) {
   const auto curve = curve_of(approach.target, first);
   if (!curve || curve->tangent_at_start() == Vec2::Zero()) {
     report_approach(approach.place,
-                    "the contour after the approach has no direction in the plane at its start",
-                    "a line to its first point is used");
+                    NC_("core", "the contour after the approach has no direction in the plane at its start"),
+                    NC_("core", "a line to its first point is used"));
     go(approach.target, approach.feed, approach.place);
     return;
   }
@@ -231,10 +229,11 @@ void ContourWriter::resolve_approach(const ContourElement& first) {
   const auto path = approach_path(approach.shape, in_plane(path_.position(), plane_),
                                   in_plane(approach.target, plane_), curve->tangent_at_start());
   if (!path) {
-    report_approach(approach.place,
-                    fmt::format("the tool starts inside the approach arc of radius {:.3f} mm",
-                                std::abs(approach.shape.radius)),
-                    "a line to the first point of the contour is used; start farther away or reduce R");
+    report_approach(
+        approach.place,
+        message(NC_("core", "the tool starts inside the approach arc of radius {:.3f} mm"),
+                std::abs(approach.shape.radius)),
+        NC_("core", "a line to the first point of the contour is used; start farther away or reduce R"));
     go(approach.target, approach.feed, approach.place);
     return;
   }
@@ -257,16 +256,17 @@ void ContourWriter::depart(const ContourDeparture& departure) {
   const bool to_point = departure.shape.kind == ApproachKind::line_and_arc;
   std::optional<ApproachPath> path;
   if (!along) {
-    report_approach(departure.place, "the departure does not follow a contour in the working plane",
-                    "a line to its end is used");
+    report_approach(departure.place,
+                    NC_("core", "the departure does not follow a contour in the working plane"),
+                    NC_("core", "a line to its end is used"));
   } else {
     path =
         departure_path(departure.shape, in_plane(from, plane_), *along, in_plane(departure.target, plane_));
     if (!path) {
       report_approach(departure.place,
-                      fmt::format("the departure ends inside its arc of radius {:.3f} mm",
-                                  std::abs(departure.shape.radius)),
-                      "a line to its end is used; end farther away or reduce R");
+                      message(NC_("core", "the departure ends inside its arc of radius {:.3f} mm"),
+                              std::abs(departure.shape.radius)),
+                      NC_("core", "a line to its end is used; end farther away or reduce R"));
     }
   }
   if (path) {

@@ -102,8 +102,8 @@ class ContourWriter {
   void compensate(const ContourElement& element);
   void resolve_approach(const ContourElement& first);
   void hand_corner_on();
-  void report_corner(std::string message, std::string hint);
-  void report_approach(const BlockPlace& place, std::string message, std::string hint);
+  void report_corner(const Message& what, const Message& hint);
+  void report_approach(const BlockPlace& place, const Message& what, const Message& hint);
   /// Motion in the plane, then along the tool axis.
   void go(const Vec3& target, const ContourFeed& feed, const BlockPlace& place, int side = 0,
           std::optional<double> tool_radius = std::nullopt);

@@ -1,7 +1,5 @@
 #include "core/program/heidenhain/geometry/coordinates.h"
 
-#include <fmt/format.h>
-
 #include "core/program/text/read_fault.h"
 
 namespace feedscope::heidenhain {
@@ -11,8 +9,8 @@ double checked_factor(double factor, std::uint32_t column) {
   constexpr double most = 99.999999;
   if (!(factor >= least && factor <= most)) {
     throw ReadFault{"scale-factor", column,
-                    fmt::format("scaling factor {} is not from 0.000001 to 99.999999", factor),
-                    "the scaling is ignored"};
+                    message(NC_("core", "scaling factor {} is not from 0.000001 to 99.999999"), factor),
+                    NC_("core", "the scaling is ignored")};
   }
   return factor;
 }
@@ -45,14 +43,15 @@ void Coordinates::shift_datum(const std::array<OptionalWord, 3>& to, std::uint32
   const bool shifts = ((after - before).array() != 0 && after.array() != 0).any();
   if (under_tilt && shifts) {
     report(Severity::warning, "tilted-shift", 0, column, [] {
-      return Text{"a datum shift replaces one that the plane was tilted about",
-                  "it is applied in the untilted system; cancel the tilt before it, or shift in the tilted "
-                  "plane only"};
+      return Text{NC_("core", "a datum shift replaces one that the plane was tilted about"),
+                  NC_("core",
+                      "it is applied in the untilted system; cancel the tilt before it, or shift in the "
+                      "tilted plane only")};
     });
   }
 }
 
-void Coordinates::set_preset(std::string_view what, bool keeps_transformations, std::uint32_t column) {
+void Coordinates::set_preset(const Message& what, bool keeps_transformations, std::uint32_t column) {
   if (!keeps_transformations) {
     // iTNC 530 and TNC 640 cycle programming, cycle 247.
     using Kind = Transformations::Kind;
@@ -64,12 +63,12 @@ void Coordinates::set_preset(std::string_view what, bool keeps_transformations, 
   set_datum(what, column);
 }
 
-void Coordinates::set_datum(std::string_view what, std::uint32_t column) const {
+void Coordinates::set_datum(const Message& what, std::uint32_t column) const {
   end_contour(column);
   if (path().has_moved()) {
     report(Severity::warning, "work-offset", 0, column, [&] {
-      return Text{fmt::format("{} changes the datum after a motion", what),
-                  "datums of the machine are assumed as zero, so parts of the path overlap"};
+      return Text{message(NC_("core", "{} changes the datum after a motion"), what),
+                  NC_("core", "datums of the machine are assumed as zero, so parts of the path overlap")};
     });
   }
 }

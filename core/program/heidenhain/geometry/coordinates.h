@@ -24,9 +24,9 @@ class Coordinates : private Part {
   void set_tilt(const std::optional<CoordinateFrame>& tilt, std::uint32_t column);
   void shift_datum(const std::array<OptionalWord, 3>& to, std::uint32_t column);
   /// A datum that only the machine knows, named by `what`.
-  void set_datum(std::string_view what, std::uint32_t column) const;
+  void set_datum(const Message& what, std::uint32_t column) const;
   /// A datum of the machine; shift, mirror, rotation and scaling end unless `keeps_transformations`.
-  void set_preset(std::string_view what, bool keeps_transformations, std::uint32_t column);
+  void set_preset(const Message& what, bool keeps_transformations, std::uint32_t column);
 
  private:
   Transformations transformations_;

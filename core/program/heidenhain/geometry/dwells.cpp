@@ -1,16 +1,14 @@
 #include "core/program/heidenhain/geometry/dwells.h"
 
-#include <fmt/format.h>
-
 namespace feedscope::heidenhain {
 
 void Dwells::run(double seconds, std::uint32_t column) {
   constexpr double longest = 1e9;
   if (!(seconds >= 0 && seconds <= longest)) {
     report(Severity::error, "dwell-time", 0, column, [&] {
-      return Text{seconds < 0 ? fmt::format("dwell time {} is negative", seconds)
-                              : fmt::format("dwell time {} is beyond 1000000000 s", seconds),
-                  "the dwell is skipped"};
+      return Text{seconds < 0 ? message(NC_("core", "dwell time {} is negative"), seconds)
+                              : message(NC_("core", "dwell time {} is beyond 1000000000 s"), seconds),
+                  NC_("core", "the dwell is skipped")};
     });
     return;
   }

@@ -1,14 +1,13 @@
 #include "core/program/heidenhain/geometry/feeds.h"
 
-#include <fmt/format.h>
-
 namespace feedscope::heidenhain {
 
 void Feeds::report_value(const MotionWords& words) const {
   report(Severity::error, "feed-value", 0, words.feed_column, [&] {
-    return Text{fmt::format("feed F{} is zero or negative", words.feed),
-                modal_.feed.value > 0 ? "the last valid feed stays in force; write a feed above zero"
-                                      : "feed moves run as fast as the axes allow; write a feed above zero"};
+    return Text{message(NC_("core", "feed F{} is zero or negative"), words.feed),
+                modal_.feed.value > 0
+                    ? NC_("core", "the last valid feed stays in force; write a feed above zero")
+                    : NC_("core", "feed moves run as fast as the axes allow; write a feed above zero")};
   });
 }
 
@@ -26,8 +25,8 @@ void Feeds::apply(const MotionWords& words) {
   if (word == FeedWord::per_tooth) {
     modal_.feed = {FeedMode::per_tooth, to_mm(written)};
     report(Severity::warning, "tooth-count", 0, words.feed_column, [] {
-      return Text{"a feed per tooth without the number of teeth, which is in the tool table",
-                  "one tooth is assumed; write F or FU"};
+      return Text{NC_("core", "a feed per tooth without the number of teeth, which is in the tool table"),
+                  NC_("core", "one tooth is assumed; write F or FU")};
     });
   } else if (word == FeedWord::per_revolution || per_revolution_) {
     modal_.feed = {FeedMode::per_revolution, to_mm(written)};

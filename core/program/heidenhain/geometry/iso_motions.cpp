@@ -68,7 +68,8 @@ void IsoMotions::run(IsoBlock& block) {
   }
   if (motion_ < 0) {
     report(Severity::warning, "motion-mode", 0, words.first_column, [] {
-      return Text{"coordinates before the first of G0 to G16", "G0 is used; write the G word"};
+      return Text{NC_("core", "coordinates before the first of G0 to G16"),
+                  NC_("core", "G0 is used; write the G word")};
     });
     motion_ = 0;
   }

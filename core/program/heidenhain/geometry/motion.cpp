@@ -1,7 +1,5 @@
 #include "core/program/heidenhain/geometry/motion.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <string>
 #include <utility>
@@ -30,17 +28,18 @@ void Motions::check_words(PathKind kind, const MotionWords& words) const {
       kind == PathKind::polar_line || kind == PathKind::polar_arc || kind == PathKind::polar_tangent_arc;
   const bool turns =
       kind == PathKind::center_arc || kind == PathKind::radius_arc || kind == PathKind::polar_arc;
-  const std::string_view name = words.length                                              ? "LEN"
-                                : words.center_angle                                      ? "CCA"
-                                : words.radius && kind != PathKind::radius_arc            ? "R"
-                                : words.turn != 0 && !turns                               ? "DR"
-                                : words.has_polar() && !is_polar                          ? "PR or PA"
-                                : words.polar_radius.given && kind == PathKind::polar_arc ? "PR"
-                                                                                          : "";
+  const auto word = [](const char* name) { return Message::as_written(name); };
+  const Message name = words.length                                   ? word("LEN")
+                       : words.center_angle                           ? word("CCA")
+                       : words.radius && kind != PathKind::radius_arc ? word("R")
+                       : words.turn != 0 && !turns                    ? word("DR")
+                       : words.has_polar() && !is_polar               ? Message(NC_("core", "PR or PA"))
+                       : words.polar_radius.given && kind == PathKind::polar_arc ? word("PR")
+                                                                                 : Message();
   if (!name.empty()) {
     report(Severity::error, "unread-word", 3, words.first_column, [&] {
-      return Text{fmt::format("{} belongs to another kind of motion than this block", name),
-                  "it is ignored; correct the block"};
+      return Text{message(NC_("core", "{} belongs to another kind of motion than this block"), name),
+                  NC_("core", "it is ignored; correct the block")};
     });
   }
 }
@@ -89,7 +88,8 @@ int Motions::turn_of(const MotionWords& words) {
     last_turn_ = words.turn;
   } else if (last_turn_ == 0) {
     report(Severity::error, "arc-direction", 0, words.first_column, [] {
-      return Text{"the arc has no direction", "counter-clockwise is assumed; write DR+ or DR-"};
+      return Text{NC_("core", "the arc has no direction"),
+                  NC_("core", "counter-clockwise is assumed; write DR+ or DR-")};
     });
     last_turn_ = 1;
   }
@@ -109,7 +109,8 @@ void Motions::add_center_arc(ContourElement element, const MotionWords& words) {
 void Motions::add_radius_arc(ContourElement element, const MotionWords& words) {
   if (!words.radius) {
     report(Severity::error, "arc-radius", 2, words.first_column, [] {
-      return Text{"the arc has no radius", fmt::format("{}; write R", straight_instead)};
+      return Text{NC_("core", "the arc has no radius"),
+                  NC_("core", "a straight line to its end is used instead; write R")};
     });
     contour_.add(element);
     return;
@@ -132,8 +133,8 @@ void Motions::add_tangent_arc(ContourElement element) {
   const Vec2 chord = in_plane(element.target, element.plane) - start;
   if (!direction) {
     report(Severity::error, "tangent-arc", 0, element.place.place.column, [] {
-      return Text{"a tangent arc without a preceding motion in the working plane",
-                  std::string(straight_instead)};
+      return Text{NC_("core", "a tangent arc without a preceding motion in the working plane"),
+                  straight_instead};
     });
   } else if (chord.norm() > same_point) {
     const double across = cross(*direction, chord);
@@ -145,7 +146,7 @@ void Motions::add_tangent_arc(ContourElement element) {
       last_turn_ = element.turn;
     } else if (direction->dot(chord) < 0) {
       report(Severity::error, "tangent-arc", 1, element.place.place.column, [] {
-        return Text{"the arc would end straight behind its start", std::string(straight_instead)};
+        return Text{NC_("core", "the arc would end straight behind its start"), straight_instead};
       });
     }
   }
@@ -179,9 +180,9 @@ void Motions::add_polar(PathKind kind, const MotionWords& words) {
     element.turn = turn_of(words);
     if (by_sweep && angle * element.turn < 0) {
       report(Severity::error, "arc-direction", 1, words.first_column, [&] {
-        return Text{fmt::format("an angle of {:.3f} degrees is opposite to the direction of the arc",
-                                units::to_deg(angle)),
-                    "the sign of the angle is used; write both with the same sign"};
+        return Text{message(NC_("core", "an angle of {:.3f} degrees is opposite to the direction of the arc"),
+                            units::to_deg(angle)),
+                    NC_("core", "the sign of the angle is used; write both with the same sign")};
       });
       element.turn = last_turn_ = -element.turn;
     }
@@ -203,8 +204,9 @@ void Motions::add_polar(PathKind kind, const MotionWords& words) {
 void Motions::run_corner(bool rounding, double size, const MotionWords& words, std::uint32_t column) {
   if (!(size > 0)) {
     throw ReadFault{"corner", column,
-                    fmt::format("{} {} mm is zero or negative", rounding ? "rounding" : "chamfer", size),
-                    "the corner stays sharp"};
+                    rounding ? message(NC_("core", "rounding {} mm is zero or negative"), size)
+                             : message(NC_("core", "chamfer {} mm is zero or negative"), size),
+                    NC_("core", "the corner stays sharp")};
   }
   ContourCorner corner;
   corner.rounding = rounding;
@@ -246,13 +248,13 @@ void Motions::orient_tool(const MotionWords& words) {
   }
   if (!modal_.tool_centre_point) {
     report(Severity::warning, "rotary-direction", 1, words.vector_column, [] {
-      return Text{"a tool direction (TX TY TZ) without M128 or FUNCTION TCPM",
-                  "the rotary axes stay; switch tool centre point control on before it"};
+      return Text{NC_("core", "a tool direction (TX TY TZ) without M128 or FUNCTION TCPM"),
+                  NC_("core", "the rotary axes stay; switch tool centre point control on before it")};
     });
     return;
   }
-  const std::optional<Vec3> tool =
-      machining_.tool_direction(*words.tool_vector, "TX, TY and TZ", "TZ+1", words.vector_column);
+  const std::optional<Vec3> tool = machining_.tool_direction(*words.tool_vector, NC_("core", "TX, TY and TZ"),
+                                                             "TZ+1", words.vector_column);
   if (!tool) {
     return;
   }

@@ -1,7 +1,5 @@
 #include "core/program/heidenhain/geometry/path_modes.h"
 
-#include <fmt/format.h>
-
 #include "core/machine/contour_tolerance.h"
 #include "core/program/text/read_fault.h"
 
@@ -10,12 +8,12 @@ namespace feedscope::heidenhain {
 void PathModes::set_tolerance(std::optional<double> tolerance, std::optional<double> orientation_tolerance,
                               std::uint32_t column) {
   if (tolerance && *tolerance < 0) {
-    throw ReadFault{"tolerance", column, fmt::format("the tolerance T{} is below zero", *tolerance),
-                    "the tolerance in force stays"};
+    throw ReadFault{"tolerance", column, message(NC_("core", "the tolerance T{} is below zero"), *tolerance),
+                    NC_("core", "the tolerance in force stays")};
   }
   if (tolerance && is_too_small(*tolerance)) {
     report(Severity::warning, "tolerance", 1, column,
-           [&] { return too_small_text(fmt::format("the tolerance T{}", plain_text(*tolerance))); });
+           [&] { return too_small_text(message(NC_("core", "the tolerance T{}"), plain_text(*tolerance))); });
     tolerance = least_tolerance;
   }
   end_contour(column);

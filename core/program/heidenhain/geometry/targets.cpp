@@ -37,8 +37,8 @@ Vec3 Targets::polar(const MotionWords& words) {
 bool Targets::has_pole(std::uint32_t column) const {
   if (!modal_.pole) {
     report(Severity::error, "pole", 0, column, [] {
-      return Text{"polar coordinates without a pole",
-                  "a line to the known end is used; write the pole (CC, or I and J) before it"};
+      return Text{NC_("core", "polar coordinates without a pole"),
+                  NC_("core", "a line to the known end is used; write the pole (CC, or I and J) before it")};
     });
   }
   return modal_.pole.has_value();

@@ -1,7 +1,5 @@
 #include "core/program/heidenhain/language/calls.h"
 
-#include <fmt/format.h>
-
 #include <utility>
 
 #include "core/program/text/message.h"
@@ -94,16 +92,17 @@ void Calls::call_program(std::string_view written, std::uint32_t column) {
   const auto called = name.empty() ? nullptr : files_.find({file, file + ".h", file + ".i"});
   if (called == nullptr) {
     report(Severity::error, "subprogram", 0, column, [&] {
-      return Text{fmt::format("program {} was not found in the same folder", in_quotes(name)),
-                  "its motion is skipped; copy the file into this folder"};
+      return Text{message(NC_("core", "program {} was not found in the same folder"), in_quotes(name)),
+                  NC_("core", "its motion is skipped; copy the file into this folder")};
     });
     return;
   }
   const Dialect found = recognise(*called);
   if (found != Dialect::iso && found != context_.dialect) {
     report(Severity::error, "subprogram", 1, column, [&] {
-      return Text{fmt::format("program {} is in another dialect, {}", in_quotes(name), info_of(found).title),
-                  "its motion is skipped"};
+      return Text{
+          message(NC_("core", "program {} is in another dialect, {}"), in_quotes(name), info_of(found).title),
+          NC_("core", "its motion is skipped")};
     });
     return;
   }

@@ -1,7 +1,5 @@
 #include "core/program/heidenhain/language/cycle_statements.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -178,9 +176,10 @@ void CycleStatements::tolerance_line(int part, Scanner& scanner, std::uint32_t c
     if (scanner.take("HSC-MODE:")) {
       const double mode = read_value(scanner);
       report(Severity::info, "machining-mode", 0, column, [&] {
-        return Text{
-            fmt::format("HSC-MODE {} changes nothing in the simulation", mode),
-            "its parameters exist only in the control; set acceleration and jerk of the machine instead"};
+        return Text{message(NC_("core", "HSC-MODE {} changes nothing in the simulation"), mode),
+                    NC_("core",
+                        "its parameters exist only in the control; set acceleration and jerk of the machine "
+                        "instead")};
       });
     }
     if (scanner.take("TA")) {

@@ -18,7 +18,7 @@ void FnStatements::function(Scanner& scanner, std::uint32_t column) {
   constexpr int system_read = 18;
   const std::optional<double> number = scanner.number();
   if (!number || *number > 99) {
-    throw_unread_words(scanner, "FN");
+    throw_unread_words(scanner, Message::as_written("FN"));
   }
   FunctionCall call;
   call.number = static_cast<int>(*number);
@@ -43,7 +43,7 @@ void FnStatements::declaration(Scanner& scanner, std::uint32_t /*column*/) {
 void FnStatements::arithmetic(Scanner& scanner, FunctionCall& call) const {
   call.result = take_parameter(scanner);
   if (!call.result || call.result->kind == QName::Kind::text || !scanner.take('=')) {
-    throw_unread_words(scanner, "FN");
+    throw_unread_words(scanner, Message::as_written("FN"));
   }
   constexpr std::array<std::string_view, 3> of_one{"SQRT", "SIN", "COS"};
   if (call.number >= 5 && call.number <= 7) {
@@ -59,7 +59,7 @@ void FnStatements::arithmetic(Scanner& scanner, FunctionCall& call) const {
     return;
   }
   if (!scanner.take(sign) && !(call.number == 4 && scanner.take('/'))) {
-    throw_unread_words(scanner, "FN");
+    throw_unread_words(scanner, Message::as_written("FN"));
   }
   call.values[1] = read_value(scanner);
 }
@@ -73,7 +73,7 @@ bool FnStatements::definition_condition(Scanner& scanner, FunctionCall& call) co
   }
   const bool undefined = ahead.take_keyword("UNDEFINED");
   if (!undefined && !ahead.take_keyword("DEFINED")) {
-    throw_unread_words(ahead, "FN");
+    throw_unread_words(ahead, Message::as_written("FN"));
   }
   const bool is_defined = name->kind == QName::Kind::text ? !parameters().text(name->number).empty()
                                                           : parameters().get(*name).has_value();
@@ -89,12 +89,12 @@ void FnStatements::jump_condition(Scanner& scanner, FunctionCall& call) const {
   if (!definition_condition(scanner, call)) {
     call.values[0] = read_value(scanner);
     if (!scanner.take(relations[static_cast<std::size_t>(call.number - 9)])) {
-      throw_unread_words(scanner, "FN");
+      throw_unread_words(scanner, Message::as_written("FN"));
     }
     call.values[1] = read_value(scanner);
   }
   if (!scanner.take("GOTO")) {
-    throw_unread_words(scanner, "FN");
+    throw_unread_words(scanner, Message::as_written("FN"));
   }
   scanner.take("LBL");
   call.label = labels_.read(scanner);

@@ -1,7 +1,5 @@
 #include "core/program/heidenhain/language/iso_codes.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -112,7 +110,7 @@ bool IsoCodes::run_transformation(int code, const IsoBlock& block) {
           {words.axes[0].given, words.axes[1].given, words.axes[2].given});
       break;
     case 53:
-      parts_.coordinates.set_datum("a line of the datum table", block.column);
+      parts_.coordinates.set_datum(NC_("core", "a line of the datum table"), block.column);
       return true;
     case 54:
       parts_.coordinates.shift_datum(words.axes, block.column);
@@ -136,7 +134,8 @@ bool IsoCodes::run_corner(int code, const IsoBlock& block) {
     return false;
   }
   if (!block.radius) {
-    throw ReadFault{"corner", block.column, fmt::format("G{} without R", code), "it is skipped; write R"};
+    throw ReadFault{"corner", block.column, message(NC_("core", "G{} without R"), code),
+                    NC_("core", "it is skipped; write R")};
   }
   const double size = to_mm(*block.radius);
   if (code == 24 || code == 25) {
@@ -156,8 +155,8 @@ void IsoCodes::report_unsupported(int code, std::uint32_t column) {
     return;
   }
   report(Severity::error, "unknown-g", code, column, [&] {
-    return Text{fmt::format("G{} is not supported in this dialect", code),
-                "the block is skipped; the control may run another path"};
+    return Text{message(NC_("core", "G{} is not supported in this dialect"), code),
+                NC_("core", "the block is skipped; the control may run another path")};
   });
 }
 

@@ -105,12 +105,12 @@ void HeidenhainIsoReader::run_d_function(Scanner& scanner, std::uint32_t column)
   if (call.computes()) {
     call.result = take_parameter(scanner);
     if (!call.result || call.result->kind == QName::Kind::text) {
-      throw_unread_words(scanner, "D");
+      throw_unread_words(scanner, Message::as_written("D"));
     }
   }
   while ((call.jumps() || call.computes()) && !scanner.at_end()) {
     if (!scanner.take('P')) {
-      throw_unread_words(scanner, "D");
+      throw_unread_words(scanner, Message::as_written("D"));
     }
     const int operand = take_digits(scanner);
     if (call.jumps() && operand == 3) {
@@ -118,7 +118,7 @@ void HeidenhainIsoReader::run_d_function(Scanner& scanner, std::uint32_t column)
     } else if (operand == 1 || operand == 2) {
       call.values[static_cast<std::size_t>(operand - 1)] = parts().context.formulas.read_value(scanner);
     } else {
-      throw_unread_words(scanner, "D");
+      throw_unread_words(scanner, Message::as_written("D"));
     }
   }
   parts().q_functions.run(call);

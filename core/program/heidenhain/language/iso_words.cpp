@@ -75,7 +75,7 @@ void IsoWords::read_tool(Scanner& scanner, IsoBlock& block) const {
   }
   block.tool.tool = tools_.read_name(scanner);
   if (!block.tool.tool) {
-    throw_unread_words(scanner, "a tool call");
+    throw_unread_words(scanner, NC_("core", "a tool call"));
   }
 }
 
@@ -83,7 +83,7 @@ void IsoWords::read_tool(Scanner& scanner, IsoBlock& block) const {
 void IsoWords::read_tool_excess(Scanner& scanner, IsoBlock& block) const {
   const bool radius = scanner.take("DR") && !scanner.take('2');
   if (!radius && !scanner.take("DL")) {
-    throw_unread_words(scanner, "a block");
+    throw_unread_words(scanner, NC_("core", "a block"));
   }
   const double excess = read_length(scanner);
   block.tool.radius_excess = radius ? excess : block.tool.radius_excess;
@@ -94,7 +94,7 @@ void IsoWords::read_value_of_cycle(Scanner& scanner, IsoBlock& block) const {
   scanner.take('P');
   const int number = take_digits(scanner);
   if (number < 1 || number > 9) {
-    throw_unread_words(scanner, "a block");
+    throw_unread_words(scanner, NC_("core", "a block"));
   }
   block.values[static_cast<std::size_t>(number)] = read_value(scanner);
 }
@@ -103,8 +103,8 @@ bool IsoWords::read_code(Scanner& scanner, std::uint32_t column, IsoBlock& block
   constexpr int first_cycle = 200;
   scanner.take('G');
   if (!letters::is_digit(scanner.peek())) {
-    throw ReadFault{"malformed-number", column, "G without a number",
-                    "the block is skipped; write a code such as G1"};
+    throw ReadFault{"malformed-number", column, NC_("core", "G without a number"),
+                    NC_("core", "the block is skipped; write a code such as G1")};
   }
   const int code = take_digits(scanner);
   if (code >= first_cycle) {
@@ -185,7 +185,7 @@ void IsoWords::read_coordinate(Scanner& scanner, char letter, bool incremental, 
       set_other_axis(letter, value(), incremental, column, words);
       return;
     default:
-      throw_unread_words(scanner, "a block");
+      throw_unread_words(scanner, NC_("core", "a block"));
   }
 }
 

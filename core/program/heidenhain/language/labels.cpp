@@ -15,8 +15,8 @@ std::string Labels::read(Scanner& scanner) const {
     const std::string_view rest = scanner.text().substr(scanner.at());
     const std::size_t end = rest.find('"');
     if (end == std::string_view::npos || end == 0) {
-      throw ReadFault{"label", column, "the name of the label is not closed, or empty",
-                      "write it as \"NAME\""};
+      throw ReadFault{"label", column, NC_("core", "the name of the label is not closed, or empty"),
+                      NC_("core", "write it as \"NAME\"")};
     }
     scanner.move_to(scanner.at() + end + 1);
     return fmt::format("\"{}\"", rest.substr(0, end));
@@ -28,8 +28,8 @@ std::string Labels::read(Scanner& scanner) const {
   scanner.move_to(before);
   const double number = read_value(scanner);
   if (!(number >= 0) || number != std::floor(number) || number > 65535) {
-    throw ReadFault{"label", column, fmt::format("{} is not a label", number),
-                    "write a whole number from 1 to 65535 or a name in quotes"};
+    throw ReadFault{"label", column, message(NC_("core", "{} is not a label"), number),
+                    NC_("core", "write a whole number from 1 to 65535 or a name in quotes")};
   }
   return fmt::format("{}", number);
 }
@@ -42,8 +42,8 @@ const Labels::Lines& Labels::of_text() {
         const std::string label = of_line_(lines().text().line(line));
         if (!label.empty() && !found->second.try_emplace(label, line).second) {
           machining_.log.add(Severity::warning, "label", 1, {line, 0, lines().place(0).file}, [&] {
-            return Text{fmt::format("label {} is defined twice", label),
-                        "the first one is used; a control refuses such a program"};
+            return Text{message(NC_("core", "label {} is defined twice"), label),
+                        NC_("core", "the first one is used; a control refuses such a program")};
           });
         }
       } catch (const ReadFault&) {
@@ -61,7 +61,8 @@ std::optional<std::uint32_t> Labels::line_of(const std::string& label, std::uint
     return found->second;
   }
   report(Severity::error, "label-missing", 0, column, [&] {
-    return Text{fmt::format("label {} does not exist", label), "the jump or call is skipped"};
+    return Text{message(NC_("core", "label {} does not exist"), label),
+                NC_("core", "the jump or call is skipped")};
   });
   return std::nullopt;
 }

@@ -1,7 +1,5 @@
 #include "core/program/heidenhain/language/m_functions.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,26 +15,29 @@ namespace {
 struct UnreadFunction {
   int number = 0;
   Severity severity = Severity::info;
-  std::string_view subject;
-  std::string_view effect;
+  Translatable subject;
+  Translatable effect;
 };
 
-constexpr std::string_view path_as_programmed = "the path is shown as programmed";
-constexpr std::string_view contour_as_usual = "the path with RL and RR is shown without it";
-constexpr std::string_view feed_as_programmed = "the programmed feed is shown";
+constexpr Translatable path_as_programmed = NC_("core", "the path is shown as programmed");
+constexpr Translatable contour_as_usual = NC_("core", "the path with RL and RR is shown without it");
+constexpr Translatable feed_as_programmed = NC_("core", "the programmed feed is shown");
 
 constexpr auto unread_functions = std::to_array<UnreadFunction>({
-    {97, Severity::warning, "small contour steps", contour_as_usual},
-    {98, Severity::warning, "open contour corners", contour_as_usual},
-    {103, Severity::warning, "feed factor for plunging", feed_as_programmed},
-    {109, Severity::info, "constant feed of the cutting edge", feed_as_programmed},
-    {110, Severity::info, "constant feed of the cutting edge on inside arcs", feed_as_programmed},
-    {112, Severity::info, "rounding between contour elements", path_as_programmed},
-    {114, Severity::warning, "rotary axes with tool compensation", "X, Y and Z are shown as programmed"},
-    {124, Severity::info, "filter of short lines", path_as_programmed},
-    {128, Severity::info, "tool centre point control", "X, Y and Z of the tool tip are shown"},
-    {130, Severity::warning, "positions in the untilted system", path_as_programmed},
-    {197, Severity::info, "tangential corners", path_as_programmed},
+    {97, Severity::warning, NC_("core", "small contour steps"), contour_as_usual},
+    {98, Severity::warning, NC_("core", "open contour corners"), contour_as_usual},
+    {103, Severity::warning, NC_("core", "feed factor for plunging"), feed_as_programmed},
+    {109, Severity::info, NC_("core", "constant feed of the cutting edge"), feed_as_programmed},
+    {110, Severity::info, NC_("core", "constant feed of the cutting edge on inside arcs"),
+     feed_as_programmed},
+    {112, Severity::info, NC_("core", "rounding between contour elements"), path_as_programmed},
+    {114, Severity::warning, NC_("core", "rotary axes with tool compensation"),
+     NC_("core", "X, Y and Z are shown as programmed")},
+    {124, Severity::info, NC_("core", "filter of short lines"), path_as_programmed},
+    {128, Severity::info, NC_("core", "tool centre point control"),
+     NC_("core", "X, Y and Z of the tool tip are shown")},
+    {130, Severity::warning, NC_("core", "positions in the untilted system"), path_as_programmed},
+    {197, Severity::info, NC_("core", "tangential corners"), path_as_programmed},
 });
 
 }  // namespace
@@ -49,8 +50,8 @@ void MFunctions::read(Scanner& scanner, std::uint32_t column, MotionWords& words
   }
   const std::optional<double> number = scanner.number();
   if (!number || *number > 9999) {
-    throw ReadFault{"malformed-number", column, "M without a number",
-                    "the block is skipped; write a function such as M3"};
+    throw ReadFault{"malformed-number", column, NC_("core", "M without a number"),
+                    NC_("core", "the block is skipped; write a function such as M3")};
   }
   const int function = static_cast<int>(*number);
   words.m_column = words.m_column == 0 ? column : words.m_column;
@@ -110,8 +111,8 @@ void MFunctions::start(const MotionWords& words) {
     const bool followed = number == tool_centre_point && machining_.other_axes.turns();
     if (unread != unread_functions.end() && !followed) {
       report(unread->severity, "unread-m", number, words.m_column, [&] {
-        return Text{fmt::format("M{} ({}) is not supported", number, unread->subject),
-                    std::string(unread->effect)};
+        return Text{message(NC_("core", "M{} ({}) is not supported"), number, unread->subject),
+                    unread->effect};
       });
     }
   }

@@ -1,7 +1,5 @@
 #include "core/program/heidenhain/language/path_statements.h"
 
-#include <fmt/format.h>
-
 #include <array>
 
 #include "core/program/language/statement_table.h"
@@ -24,8 +22,9 @@ std::pair<ApproachKind, bool> approach_name(Scanner& scanner) {
       return {static_cast<ApproachKind>(i), polar};
     }
   }
-  throw ReadFault{"approach", column, fmt::format("{} is not an approach or departure", in_quotes(name)),
-                  "it is skipped; write LT, LN, CT, LCT or the polar forms with P before them"};
+  throw ReadFault{"approach", column,
+                  message(NC_("core", "{} is not an approach or departure"), in_quotes(name)),
+                  NC_("core", "it is skipped; write LT, LN, CT, LCT or the polar forms with P before them")};
 }
 
 }  // namespace
@@ -90,7 +89,8 @@ void PathStatements::run_curve(PathKind kind, Scanner& scanner, std::uint32_t co
 void PathStatements::rounding(Scanner& scanner, std::uint32_t column) {
   const MotionWords words = words_.read(scanner);
   if (!words.radius) {
-    throw ReadFault{"corner", column, "RND without a radius R", "the corner stays sharp"};
+    throw ReadFault{"corner", column, NC_("core", "RND without a radius R"),
+                    NC_("core", "the corner stays sharp")};
   }
   motions_.run_corner(true, *words.radius, words, column);
 }

@@ -1,7 +1,5 @@
 #include "core/program/heidenhain/language/pattern_statement.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -43,8 +41,9 @@ constexpr auto pattern_words = std::to_array<PatternWord>({
 int checked_count(double count, std::uint32_t column) {
   constexpr double most = 10000;
   if (!(count >= 1 && count <= most)) {
-    throw ReadFault{"pattern", column, fmt::format("{} is not a number of places from 1 to {}", count, most),
-                    "the pattern is skipped; check NUM, NUMX and NUMY"};
+    throw ReadFault{"pattern", column,
+                    message(NC_("core", "{} is not a number of places from 1 to {}"), count, most),
+                    NC_("core", "the pattern is skipped; check NUM, NUMX and NUMY")};
   }
   return static_cast<int>(count);
 }
@@ -88,7 +87,7 @@ std::vector<Vec2> places_in_plane(std::string_view kind, const PatternWords& wor
 void PatternStatement::run(Scanner& scanner, std::uint32_t column) {
   constexpr std::array<std::string_view, 6> kinds{"POS", "ROW", "PAT", "FRAME", "CIRC", "PITCHCIRC"};
   if (!scanner.take_keyword("DEF")) {
-    throw_unread_words(scanner, "PATTERN DEF");
+    throw_unread_words(scanner, Message::as_written("PATTERN DEF"));
   }
   std::vector<Vec3> places;
   while (!scanner.at_end()) {
@@ -99,8 +98,8 @@ void PatternStatement::run(Scanner& scanner, std::uint32_t column) {
                                    [kind](std::string_view name) { return letters::same(name, kind); });
     if (!known || !scanner.take('(')) {
       throw ReadFault{"pattern", at,
-                      fmt::format("{} is not a pattern", in_quotes(scanner.text().substr(at - 1))),
-                      "the pattern is skipped; write POS, ROW, PAT, FRAME, CIRC or PITCHCIRC"};
+                      message(NC_("core", "{} is not a pattern"), in_quotes(scanner.text().substr(at - 1))),
+                      NC_("core", "the pattern is skipped; write POS, ROW, PAT, FRAME, CIRC or PITCHCIRC")};
     }
     const PatternWords words = read_words(scanner);
     const Vec3 origin(words.x, words.y, words.z);
@@ -109,7 +108,8 @@ void PatternStatement::run(Scanner& scanner, std::uint32_t column) {
     }
   }
   if (places.empty()) {
-    throw ReadFault{"pattern", column, "PATTERN DEF without a pattern", "write POS1 (X+5 Y+5 Z+0)"};
+    throw ReadFault{"pattern", column, NC_("core", "PATTERN DEF without a pattern"),
+                    NC_("core", "write POS1 (X+5 Y+5 Z+0)")};
   }
   cycle_calls_.set_pattern(std::move(places));
 }
@@ -120,7 +120,7 @@ PatternWords PatternStatement::read_words(Scanner& scanner) const {
     const auto known = std::find_if(pattern_words.begin(), pattern_words.end(),
                                     [&](const PatternWord& word) { return scanner.take(word.name); });
     if (known == pattern_words.end()) {
-      throw_unread_words(scanner, "a pattern");
+      throw_unread_words(scanner, NC_("core", "a pattern"));
     }
     const double value = read_value(scanner);
     words.*known->value = known->is_length ? to_mm(value) : value;

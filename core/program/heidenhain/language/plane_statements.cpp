@@ -96,8 +96,8 @@ CoordinateFrame PlaneStatements::by_vectors(Scanner& scanner, std::uint32_t colu
   }
   const std::optional<CoordinateFrame> tilt = tilted_to(vectors[0], vectors[1]);
   if (!tilt) {
-    throw ReadFault{"plane", column, "the vectors of PLANE VECTOR do not span a plane",
-                    "the plane does not change; check BX BY BZ and NX NY NZ"};
+    throw ReadFault{"plane", column, NC_("core", "the vectors of PLANE VECTOR do not span a plane"),
+                    NC_("core", "the plane does not change; check BX BY BZ and NX NY NZ")};
   }
   return *tilt;
 }
@@ -117,8 +117,8 @@ CoordinateFrame PlaneStatements::by_points(Scanner& scanner, std::uint32_t colum
   const Vec3 base = points[1] - points[0];
   const std::optional<CoordinateFrame> tilt = tilted_to(base, base.cross(points[2] - points[0]));
   if (!tilt) {
-    throw ReadFault{"plane", column, "the points of PLANE POINTS are on one line",
-                    "the plane does not change; check P1X to P3Z"};
+    throw ReadFault{"plane", column, NC_("core", "the points of PLANE POINTS are on one line"),
+                    NC_("core", "the plane does not change; check P1X to P3Z")};
   }
   return *tilt;
 }
@@ -155,7 +155,7 @@ PlaneStatements::Positioning PlaneStatements::read_positioning(Scanner& scanner)
     } else if (scanner.take("DIST") || scanner.take("ABST") || scanner.take("SETUP")) {
       read_value(scanner);
     } else {
-      throw_unread_words(scanner, "PLANE");
+      throw_unread_words(scanner, Message::as_written("PLANE"));
     }
   }
   return positioning;
@@ -171,10 +171,11 @@ void PlaneStatements::retract(const Positioning& positioning, std::uint32_t colu
   const bool shifts = positioning.shifts && machining_.other_axes.turns();
   if (to_limit || shifts) {
     report(to_limit ? Severity::warning : Severity::info, "swivel-retract", to_limit ? 1 : 2, column, [&] {
-      return to_limit ? Text{"the tool retracts to the end of travel before the axes turn (MB MAX)",
-                             "this motion is neither drawn nor timed, nor is the way back"}
-                      : Text{"X, Y and Z move while the rotary axes turn (MOVE)",
-                             "this motion is neither drawn nor timed"};
+      return to_limit
+                 ? Text{NC_("core", "the tool retracts to the end of travel before the axes turn (MB MAX)"),
+                        NC_("core", "this motion is neither drawn nor timed, nor is the way back")}
+                 : Text{NC_("core", "X, Y and Z move while the rotary axes turn (MOVE)"),
+                        NC_("core", "this motion is neither drawn nor timed")};
     });
   }
   if (!positioning.retract || to_limit || *positioning.retract == 0) {
@@ -196,8 +197,8 @@ void PlaneStatements::turn_axes(const Positioning& positioning, bool resets, std
   if (!positioning.turns) {
     if (axes.turns()) {
       report(Severity::info, "rotary-position", 1, column, [] {
-        return Text{"the rotary axes stay where they are (STAY)",
-                    "they turn where the program positions them, as with L A+Q120 C+Q122"};
+        return Text{NC_("core", "the rotary axes stay where they are (STAY)"),
+                    NC_("core", "they turn where the program positions them, as with L A+Q120 C+Q122")};
       });
     }
   } else if (resets) {
@@ -213,8 +214,9 @@ void PlaneStatements::run_cycle(Scanner& scanner, std::uint32_t column) {
   coordinates_.set_tilt(tilt, column);
   if (machining_.other_axes.turns()) {
     report(Severity::info, "rotary-position", 2, column, [] {
-      return Text{"cycle 19 tilts the plane",
-                  "the rotary axes turn where the program positions them, as with L A+Q120 C+Q122"};
+      return Text{
+          NC_("core", "cycle 19 tilts the plane"),
+          NC_("core", "the rotary axes turn where the program positions them, as with L A+Q120 C+Q122")};
     });
   }
 }
@@ -234,8 +236,10 @@ std::optional<CoordinateFrame> PlaneStatements::by_axes(Scanner& scanner, std::u
   }
   if (std::count(angles.begin(), angles.end(), 0.0) < 2) {
     report(Severity::warning, "tilt-angles", 0, column, [] {
-      return Text{"the plane is tilted by angles of more than one axis",
-                  "the plane depends on the machine; they are used as spatial angles, as in PLANE SPATIAL"};
+      return Text{
+          NC_("core", "the plane is tilted by angles of more than one axis"),
+          NC_("core",
+              "the plane depends on the machine; they are used as spatial angles, as in PLANE SPATIAL")};
     });
   }
   return any ? std::optional(tilted_by(angles)) : std::nullopt;

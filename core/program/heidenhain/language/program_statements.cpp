@@ -78,7 +78,7 @@ void ProgramStatements::tool(Scanner& scanner, std::uint32_t column) {
 void ProgramStatements::tool_definition(Scanner& scanner) {
   const std::optional<std::string> name = parts_.tools.read_name(scanner);
   if (!name) {
-    throw_unread_words(scanner, "TOOL DEF");
+    throw_unread_words(scanner, Message::as_written("TOOL DEF"));
   }
   while (!scanner.at_end()) {
     if (scanner.take('L')) {
@@ -86,7 +86,7 @@ void ProgramStatements::tool_definition(Scanner& scanner) {
     } else if (scanner.take('R')) {
       parts_.tools.define(*name, read_length(scanner));
     } else {
-      throw_unread_words(scanner, "TOOL DEF");
+      throw_unread_words(scanner, Message::as_written("TOOL DEF"));
     }
   }
 }
@@ -109,7 +109,7 @@ void ProgramStatements::tool_call(Scanner& scanner) {
     } else if (scanner.take("DR")) {
       call.radius_excess = read_length(scanner);
     } else {
-      throw_unread_words(scanner, "TOOL CALL");
+      throw_unread_words(scanner, Message::as_written("TOOL CALL"));
     }
   }
   parts_.tools.call(call);
@@ -147,8 +147,8 @@ void ProgramStatements::select(Scanner& scanner, std::uint32_t column) {
 }
 
 void ProgramStatements::preset(Scanner& scanner, std::uint32_t column) {
-  parts_.coordinates.set_preset("PRESET", scanner.rest().find("KEEP TRANS") != std::string_view::npos,
-                                column);
+  parts_.coordinates.set_preset(Message::as_written("PRESET"),
+                                scanner.rest().find("KEEP TRANS") != std::string_view::npos, column);
 }
 
 void ProgramStatements::function(Scanner& scanner, std::uint32_t column) {
@@ -187,8 +187,8 @@ void ProgramStatements::tool_centre_point(Scanner& scanner, std::uint32_t column
   modal_.great_circle = has("PATHCTRL VECTOR");
   if (has("F CONT") || has("AXIS SPAT") || has("REFPNT TIP-CENTER") || has("REFPNT CENTER-CENTER")) {
     report(Severity::info, "unread-statement", 90, column, [] {
-      return Text{"FUNCTION TCPM is followed as with F TCP, AXIS POS and REFPNT TIP-TIP",
-                  "F holds at the tip, and angles are those of the axes"};
+      return Text{NC_("core", "FUNCTION TCPM is followed as with F TCP, AXIS POS and REFPNT TIP-TIP"),
+                  NC_("core", "F holds at the tip, and angles are those of the axes")};
     });
   }
 }

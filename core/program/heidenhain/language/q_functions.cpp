@@ -1,7 +1,5 @@
 #include "core/program/heidenhain/language/q_functions.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -25,8 +23,9 @@ std::string text_value(Scanner& scanner, const QParameters& parameters) {
     } else if (const auto name = take_parameter(scanner); name && name->kind == QName::Kind::text) {
       text += parameters.text(name->number);
     } else {
-      throw ReadFault{"unread-statement", column, fmt::format("{} is not a text", in_quotes(scanner.rest())),
-                      "the assignment is skipped; write \"...\" or QS parameters, joined by ||"};
+      throw ReadFault{"unread-statement", column,
+                      message(NC_("core", "{} is not a text"), in_quotes(scanner.rest())),
+                      NC_("core", "the assignment is skipped; write \"...\" or QS parameters, joined by ||")};
     }
   } while (scanner.take("||"));
   return text;
@@ -44,8 +43,8 @@ void QFunctions::assign(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   if (!name || !scanner.take('=')) {
     throw ReadFault{"unread-statement", column,
-                    fmt::format("{} is not an assignment", in_quotes(scanner.text())),
-                    "it is skipped; write Q1 = 5"};
+                    message(NC_("core", "{} is not an assignment"), in_quotes(scanner.text())),
+                    NC_("core", "it is skipped; write Q1 = 5")};
   }
   if (name->kind == QName::Kind::text) {
     parameters().set_text(name->number, text_value(scanner, parameters()));
@@ -54,8 +53,8 @@ void QFunctions::assign(Scanner& scanner) {
   }
   if (!scanner.at_end()) {
     throw ReadFault{"expression", scanner.column(),
-                    fmt::format("{} does not belong to the formula", in_quotes(scanner.rest())),
-                    "the value before it is assigned; correct the formula"};
+                    message(NC_("core", "{} does not belong to the formula"), in_quotes(scanner.rest())),
+                    NC_("core", "the value before it is assigned; correct the formula")};
   }
 }
 
@@ -64,9 +63,10 @@ void QFunctions::run(const FunctionCall& call) {
   const double b = call.values[1];
   const auto set = [&](double value) {
     if (!std::isfinite(value)) {
-      throw ReadFault{"expression-value", call.column,
-                      fmt::format("function {} has no finite value for {} and {}", call.number, a, b),
-                      "check the values that go into it"};
+      throw ReadFault{
+          "expression-value", call.column,
+          message(NC_("core", "function {} has no finite value for {} and {}"), call.number, a, b),
+          NC_("core", "check the values that go into it")};
     }
     parameters().set(*call.result, value);
   };
@@ -115,17 +115,17 @@ void QFunctions::note(int number, std::uint32_t column) {
   constexpr int read_table = 28;
   if (number == error) {
     report(Severity::error, "program-error", 0, column, [] {
-      return Text{"the program stops here with an error (FN 14)",
-                  "the rest is skipped; check the values that lead here"};
+      return Text{NC_("core", "the program stops here with an error (FN 14)"),
+                  NC_("core", "the rest is skipped; check the values that lead here")};
     });
     calls_.stop_all();
     return;
   }
   const bool matters = number == write_system_data || number == read_table;
   report(matters ? Severity::warning : Severity::info, "unread-function", number, column, [&] {
-    return Text{fmt::format("FN {} is not supported", number),
-                matters ? "what it writes to the machine or reads from a table is not known"
-                        : "it does not change the path"};
+    return Text{message(NC_("core", "FN {} is not supported"), number),
+                matters ? NC_("core", "what it writes to the machine or reads from a table is not known")
+                        : NC_("core", "it does not change the path")};
   });
 }
 

@@ -109,8 +109,8 @@ std::optional<QName> take_parameter(Scanner& scanner) {
   scanner.move_to(scanner.at() + digits);
   if (name.number > most_of(name.kind)) {
     throw ReadFault{"parameter-number", name.column,
-                    fmt::format("parameter {} does not exist", in_quotes(name.text())),
-                    fmt::format("the last one is {}{}", letters_of(name.kind), most_of(name.kind))};
+                    message(NC_("core", "parameter {} does not exist"), in_quotes(name.text())),
+                    message(NC_("core", "the last one is {}{}"), letters_of(name.kind), most_of(name.kind))};
   }
   return name;
 }
@@ -170,16 +170,16 @@ double QFormulas::read_value(Scanner& scanner) {
     if (!(std::abs(*value) <= largest_value)) {
       throw ReadFault{
           "number-range", column,
-          fmt::format("the parameter's value {} is beyond the largest number, 1000000000", *value),
-          "the block is skipped; check how the parameter is calculated"};
+          message(NC_("core", "the parameter's value {} is beyond the largest number, 1000000000"), *value),
+          NC_("core", "the block is skipped; check how the parameter is calculated")};
     }
     return sign * *value;
   }
   throw ReadFault{"malformed-number", column,
                   scanner.at_end()
-                      ? "a number is missing at the end of the block"
-                      : fmt::format("{} is not a number or parameter", in_quotes(scanner.rest())),
-                  "the block is skipped; write a number or a Q parameter here"};
+                      ? NC_("core", "a number is missing at the end of the block")
+                      : message(NC_("core", "{} is not a number or parameter"), in_quotes(scanner.rest())),
+                  NC_("core", "the block is skipped; write a number or a Q parameter here")};
 }
 
 std::optional<double> QFormulas::variable(Scanner& scanner) {
@@ -188,8 +188,9 @@ std::optional<double> QFormulas::variable(Scanner& scanner) {
     return scanner.take_name("PI") ? std::optional(units::pi) : std::nullopt;
   }
   if (name->kind == QName::Kind::text) {
-    throw ReadFault{"expression", name->column, fmt::format("{} holds a text, not a number", name->text()),
-                    "texts are not converted to numbers; write the number"};
+    throw ReadFault{"expression", name->column,
+                    message(NC_("core", "{} holds a text, not a number"), name->text()),
+                    NC_("core", "texts are not converted to numbers; write the number")};
   }
   const std::optional<double> value = parameters_.get(*name);
   return value ? *value : unset_(*name);

@@ -10,7 +10,7 @@ void SystemData::read(Scanner& scanner, std::uint32_t column) {
   scanner.take_keyword("SYSREAD");
   const std::optional<QName> result = take_parameter(scanner);
   if (!result || result->kind == QName::Kind::text || !scanner.take('=') || !scanner.take("ID")) {
-    throw_unread_words(scanner, "FN 18");
+    throw_unread_words(scanner, Message::as_written("FN 18"));
   }
   const double group = read_value(scanner);
   const double number = scanner.take("NR") ? read_value(scanner) : 0;
@@ -59,17 +59,18 @@ void SystemData::assign(const QName& result, double group, double number, double
   if (!value) {
     report(Severity::warning, "system-data", 0, column, [&] {
       return Text{
-          fmt::format("FN 18 reads ID{} NR{} IDX{}, which depends on the machine", group, number, index),
-          fmt::format("{} is set to 0; assign the value of your machine instead", result.text())};
+          message(NC_("core", "FN 18 reads ID{} NR{} IDX{}, which depends on the machine"), group, number,
+                  index),
+          message(NC_("core", "{} is set to 0; assign the value of your machine instead"), result.text())};
     });
   } else if (asks_position && !targets_.was_programmed(static_cast<int>(index) - 1)) {
     report(Severity::warning, "system-data", static_cast<int>(index), column, [&] {
-      return Text{
-          fmt::format("FN 18 reads the position of {} before the program has moved it",
-                      "XYZ"[static_cast<int>(index) - 1]),
-          fmt::format("{} is set to the start position, which is assumed as zero; assign the value of "
-                      "your machine instead",
-                      result.text())};
+      return Text{message(NC_("core", "FN 18 reads the position of {} before the program has moved it"),
+                          "XYZ"[static_cast<int>(index) - 1]),
+                  message(NC_("core",
+                              "{} is set to the start position, which is assumed as zero; assign the value "
+                              "of your machine instead"),
+                          result.text())};
     });
   }
   parameters().set(result, value.value_or(0));

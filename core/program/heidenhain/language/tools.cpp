@@ -61,10 +61,12 @@ void Tools::select_side(const MotionWords& words) {
   if (!machining_.tools.use_radius_of(modal_.tool, defined_radii_.find(modal_.tool))) {
     report(Severity::error, "tool-radius", 0, words.side_column, [&] {
       return Text{
-          fmt::format("{}: the radius of the tool is not known", modal_.side > 0 ? "RL" : "RR"),
-          fmt::format("the path shown is the programmed contour; {}, or write a TOOL DEF with R before "
-                      "the tool call",
-                      ToolRack::radius_hint(modal_.tool))};
+          message(NC_("core", "{}: the radius of the tool is not known"),
+                  std::string_view(modal_.side > 0 ? "RL" : "RR")),
+          message(NC_("core",
+                      "the path shown is the programmed contour; {}, or write a TOOL DEF with R before the "
+                      "tool call"),
+                  ToolRack::radius_hint(modal_.tool))};
     });
   }
 }

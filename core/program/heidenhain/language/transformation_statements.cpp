@@ -1,7 +1,5 @@
 #include "core/program/heidenhain/language/transformation_statements.h"
 
-#include <fmt/format.h>
-
 #include <array>
 
 #include "core/base/units.h"
@@ -17,8 +15,8 @@ int axis_letter(Scanner& scanner) {
   const char letter = letters::to_upper(scanner.peek());
   if (letter < 'X' || letter > 'Z') {
     throw ReadFault{"unread-word", scanner.column(),
-                    fmt::format("{} is not X, Y or Z", in_quotes(scanner.rest())),
-                    "the transformation is ignored"};
+                    message(NC_("core", "{} is not X, Y or Z"), in_quotes(scanner.rest())),
+                    NC_("core", "the transformation is ignored")};
   }
   scanner.take(letter);
   return letter - 'X';
@@ -57,7 +55,7 @@ void TransformationStatements::run(Scanner& scanner, std::uint32_t column) {
       scale(scanner);
     }
   } else {
-    throw_unread_words(scanner, "TRANS");
+    throw_unread_words(scanner, Message::as_written("TRANS"));
   }
   coordinates_.apply(column);
 }
@@ -91,7 +89,7 @@ void TransformationStatements::shift(Scanner& scanner, std::uint32_t column) {
   if (scanner.take('#') || scanner.take_keyword("TABLE")) {
     // The line of the table, taken as zero, replaces the shift in force.
     coordinates_.transformations().reset(Transformations::Kind::shift);
-    coordinates_.set_datum("a line of the datum table", column);
+    coordinates_.set_datum(NC_("core", "a line of the datum table"), column);
     return;
   }
   coordinates_.shift_datum(words_.read(scanner).axes, column);

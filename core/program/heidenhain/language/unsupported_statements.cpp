@@ -1,7 +1,5 @@
 #include "core/program/heidenhain/language/unsupported_statements.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
@@ -15,28 +13,33 @@ namespace {
 struct UnreadStatement {
   std::string_view name;
   Severity severity = Severity::error;
-  std::string_view subject;
-  std::string_view effect;
+  Translatable subject;
+  Translatable effect;
 };
 
-constexpr std::string_view positions_missing = "its motion is skipped";
+constexpr Translatable positions_missing = NC_("core", "its motion is skipped");
 
 constexpr auto unread_statements = std::to_array<UnreadStatement>({
-    {"PLANE", Severity::error, "this form of tilted working plane", "the path is shown untilted"},
-    {"FUNCTION", Severity::info, "function of the machine", "the path is shown as programmed"},
-    {"POLARKIN", Severity::error, "polar kinematics", "the path is shown as programmed"},
-    {"FL", Severity::error, "free contour", positions_missing},
-    {"FLT", Severity::error, "free contour", positions_missing},
-    {"FC", Severity::error, "free contour", positions_missing},
-    {"FCT", Severity::error, "free contour", positions_missing},
-    {"FPOL", Severity::error, "free contour", positions_missing},
-    {"FSELECT", Severity::error, "free contour", positions_missing},
-    {"SPL", Severity::error, "spline", positions_missing},
-    {"TCH", Severity::warning, "touch probe cycle", positions_missing},
-    {"MODE", Severity::error, "another machining mode", "its path is shown as in milling mode"},
-    {"SEL", Severity::warning, "selection of a table, pattern or program", "what it selects is not known"},
-    {"CONTOUR", Severity::error, "contour definition", positions_missing},
-    {"OPEN", Severity::info, "file access", "it does not change the path"},
+    {"PLANE", Severity::error, NC_("core", "this form of tilted working plane"),
+     NC_("core", "the path is shown untilted")},
+    {"FUNCTION", Severity::info, NC_("core", "function of the machine"),
+     NC_("core", "the path is shown as programmed")},
+    {"POLARKIN", Severity::error, NC_("core", "polar kinematics"),
+     NC_("core", "the path is shown as programmed")},
+    {"FL", Severity::error, NC_("core", "free contour"), positions_missing},
+    {"FLT", Severity::error, NC_("core", "free contour"), positions_missing},
+    {"FC", Severity::error, NC_("core", "free contour"), positions_missing},
+    {"FCT", Severity::error, NC_("core", "free contour"), positions_missing},
+    {"FPOL", Severity::error, NC_("core", "free contour"), positions_missing},
+    {"FSELECT", Severity::error, NC_("core", "free contour"), positions_missing},
+    {"SPL", Severity::error, NC_("core", "spline"), positions_missing},
+    {"TCH", Severity::warning, NC_("core", "touch probe cycle"), positions_missing},
+    {"MODE", Severity::error, NC_("core", "another machining mode"),
+     NC_("core", "its path is shown as in milling mode")},
+    {"SEL", Severity::warning, NC_("core", "selection of a table, pattern or program"),
+     NC_("core", "what it selects is not known")},
+    {"CONTOUR", Severity::error, NC_("core", "contour definition"), positions_missing},
+    {"OPEN", Severity::info, NC_("core", "file access"), NC_("core", "it does not change the path")},
 });
 
 const UnreadStatement* find_unread(std::string_view name) {
@@ -58,16 +61,17 @@ bool UnsupportedStatements::report_known(std::string_view name, std::uint32_t co
   reported_.push_back(known->name);
   report(known->severity, "unread-statement", static_cast<int>(known - unread_statements.data()) + 1, column,
          [&] {
-           return Text{fmt::format("{} ({}) is not supported", known->name, known->subject),
-                       fmt::format("{}; reported once", known->effect)};
+           return Text{message(NC_("core", "{} ({}) is not supported"), known->name, known->subject),
+                       message(NC_("core", "{}; reported once"), known->effect)};
          });
   return true;
 }
 
 void UnsupportedStatements::report_unknown(std::string_view statement, std::uint32_t column) {
   report(Severity::error, "unknown-statement", 0, column, [&] {
-    return Text{fmt::format("{} is not a statement of this dialect", in_quotes(statement.substr(column - 1))),
-                "it is skipped; if the program has another dialect, give it with --dialect"};
+    return Text{message(NC_("core", "{} is not a statement of this dialect"),
+                        in_quotes(statement.substr(column - 1))),
+                NC_("core", "it is skipped; if the program has another dialect, give it with --dialect")};
   });
 }
 

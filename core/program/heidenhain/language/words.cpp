@@ -1,7 +1,5 @@
 #include "core/program/heidenhain/language/words.h"
 
-#include <fmt/format.h>
-
 #include <string>
 
 #include "core/base/units.h"
@@ -16,8 +14,8 @@ namespace {
 [[noreturn]] void throw_unread_word(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   throw ReadFault{"unread-word", column,
-                  fmt::format("{} is not a word of this block", in_quotes(scanner.rest())),
-                  "the block is skipped; correct it"};
+                  message(NC_("core", "{} is not a word of this block"), in_quotes(scanner.rest())),
+                  NC_("core", "the block is skipped; correct it")};
 }
 
 }  // namespace
@@ -130,15 +128,15 @@ bool Words::read_normal(Scanner& scanner, char kind, std::uint32_t column, Motio
   if (machining_.other_axes.turns()) {
     if (kind == 'N') {
       report(Severity::info, "unread-vector", 1, column, [] {
-        return Text{"surface normals (LN) are not used",
-                    "X, Y and Z are shown as programmed, without a compensation along them"};
+        return Text{NC_("core", "surface normals (LN) are not used"),
+                    NC_("core", "X, Y and Z are shown as programmed, without a compensation along them")};
       });
     }
     return true;
   }
   report(Severity::info, "unread-vector", 0, column, [] {
-    return Text{"surface normals and tool directions (LN) are not supported",
-                "X, Y and Z are shown as programmed"};
+    return Text{NC_("core", "surface normals and tool directions (LN) are not supported"),
+                NC_("core", "X, Y and Z are shown as programmed")};
   });
   return true;
 }
@@ -153,8 +151,8 @@ void Words::read_feed(Scanner& scanner, std::uint32_t column, MotionWords& words
   } else if (scanner.take('T')) {
     const double seconds = read_value(scanner);
     report(Severity::error, "unread-word", 1, column, [&] {
-      return Text{fmt::format("FT{} (time of the block) is not supported", seconds),
-                  "the last feed stays in force"};
+      return Text{message(NC_("core", "FT{} (time of the block) is not supported"), seconds),
+                  NC_("core", "the last feed stays in force")};
     });
   } else if (const char next = letters::to_upper(scanner.peek());
              next == '\0' || next == 'M' || next == 'R') {
@@ -185,8 +183,8 @@ void Words::read_radius(Scanner& scanner, std::uint32_t column, MotionWords& wor
   } else if (sign_alone) {
     scanner.move_to(scanner.at() + 1);
     report(Severity::error, "unread-word", 2, column, [&] {
-      return Text{fmt::format("R{} (extension by the tool radius) is not supported", next),
-                  "the position is shown as programmed"};
+      return Text{message(NC_("core", "R{} (extension by the tool radius) is not supported"), next),
+                  NC_("core", "the position is shown as programmed")};
     });
   } else if (next == '0' && !number_goes_on) {
     scanner.move_to(scanner.at() + 1);

@@ -1,7 +1,5 @@
 #include "core/program/iso/cycles/cycles.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -64,7 +62,8 @@ void Cycles::begin(const GCode& code, const Word& word) {
   const bool threads = words_.has_any("IJ") && !words_.has('R') && !series_.has_retract;
   if (code.number == fine_boring && (is_linuxcnc() || threads)) {
     report(Severity::error, "unread-g", fine_boring, word.column, [] {
-      return Text{"G76 (threading cycle) is not supported", "positions are skipped up to the next G0 to G3"};
+      return Text{NC_("core", "G76 (threading cycle) is not supported"),
+                  NC_("core", "positions are skipped up to the next G0 to G3")};
     });
     words_.other_codes = true;
     modal_.motion = MotionMode::unread;
@@ -123,9 +122,10 @@ void Cycles::gather() {
 void Cycles::return_to_retract_plane() {
   series_.initial = series_.retract;
   report(Severity::warning, "unknown-position", 1, words_.first_column("XYZR"), [&] {
-    return Text{fmt::format("{} begins while the position of {} is not known", g_name(modal_.cycle_code),
-                            coordinate_names[static_cast<std::size_t>(normal_axis(modal_.plane))]),
-                "the tool returns to R after each hole; program the height before the cycle"};
+    return Text{
+        message(NC_("core", "{} begins while the position of {} is not known"), g_name(modal_.cycle_code),
+                coordinate_names[static_cast<std::size_t>(normal_axis(modal_.plane))]),
+        NC_("core", "the tool returns to R after each hole; program the height before the cycle")};
   });
 }
 
@@ -152,30 +152,33 @@ bool Cycles::check(std::uint32_t column) const {
   const char depth = axis_letters[static_cast<std::size_t>(normal_axis(modal_.plane))];
   if (!series_.has_bottom) {
     report(Severity::error, "cycle-words", 0, column, [&] {
-      return Text{fmt::format("{} without {}, the bottom of the hole", g_name(modal_.cycle_code), depth),
-                  "the hole is skipped; program it in the cycle's first block"};
+      return Text{
+          message(NC_("core", "{} without {}, the bottom of the hole"), g_name(modal_.cycle_code), depth),
+          NC_("core", "the hole is skipped; program it in the cycle's first block")};
     });
     return false;
   }
   if (!series_.has_retract) {
     report(Severity::error, "cycle-words", 1, column, [&] {
-      return Text{fmt::format("{} without R, the retract plane", g_name(modal_.cycle_code)),
-                  "the level before the cycle is used; program it in the cycle's first block"};
+      return Text{message(NC_("core", "{} without R, the retract plane"), g_name(modal_.cycle_code)),
+                  NC_("core", "the level before the cycle is used; program it in the cycle's first block")};
     });
   }
   if (modal_.cycle_code == back_boring ? bottom < series_.retract : bottom > series_.retract) {
     report(Severity::error, "cycle-words", 2, column, [&] {
-      return Text{fmt::format("the bottom of the hole at {} {:.4f} mm is on the wrong side of R {:.4f} mm",
-                              depth, bottom, series_.retract),
-                  "the hole is skipped; correct one of them"};
+      return Text{
+          message(NC_("core", "the bottom of the hole at {} {:.4f} mm is on the wrong side of R {:.4f} mm"),
+                  depth, bottom, series_.retract),
+          NC_("core", "the hole is skipped; correct one of them")};
     });
     return false;
   }
   if (steps_aside(modal_.cycle_code) && series_.peck > 0 && series_.aside.isZero()) {
     report(Severity::info, "cycle-aside", modal_.cycle_code, column, [&] {
-      return Text{fmt::format("the direction in which {} retracts from the wall is a control setting",
-                              g_name(modal_.cycle_code)),
-                  "the positive direction of the plane's first axis is used"};
+      return Text{
+          message(NC_("core", "the direction in which {} retracts from the wall is a control setting"),
+                  g_name(modal_.cycle_code)),
+          NC_("core", "the positive direction of the plane's first axis is used")};
     });
   }
   return true;
@@ -192,8 +195,9 @@ double Cycles::repeats() const {
     return word.value;
   }
   report(Severity::error, "cycle-words", 3, word.column, [&] {
-    return Text{fmt::format("{}{} is not a number of repeats from 0 to {}", letter, word.value, max_repeats),
-                "the cycle runs once"};
+    return Text{
+        message(NC_("core", "{}{} is not a number of repeats from 0 to {}"), letter, word.value, max_repeats),
+        NC_("core", "the cycle runs once")};
   });
   return 1;
 }
@@ -222,9 +226,10 @@ std::optional<DrillingCycle> Cycles::drilling_cycle(std::uint32_t column, double
   const bool too_fine = peck_count(cycle) * repeats > max_pecks;
   if (too_fine || (needs_peck(modal_.cycle_code) && cycle.peck == 0)) {
     report(Severity::error, "cycle-words", 4, words_.column_or('Q', column), [&] {
-      return Text{fmt::format("{} {}", g_name(modal_.cycle_code),
-                              too_fine ? fmt::format("with pecks of {} mm", cycle.peck) : "without Q"),
-                  "the hole is drilled in one infeed; write Q with the depth of a peck"};
+      return Text{too_fine
+                      ? message(NC_("core", "{} with pecks of {} mm"), g_name(modal_.cycle_code), cycle.peck)
+                      : message(NC_("core", "{} without {}"), g_name(modal_.cycle_code), 'Q'),
+                  NC_("core", "the hole is drilled in one infeed; write Q with the depth of a peck")};
     });
     cycle.peck = 0;
   }
@@ -263,8 +268,9 @@ void Cycles::run_pattern(int code, std::uint32_t column) {
                      count <= max_repeats && count == std::floor(count);
   if (!sound) {
     report(Severity::error, "cycle-words", code, column, [&] {
-      return Text{fmt::format("{} (hole pattern) needs an active drilling cycle, I and L", g_name(code)),
-                  "nothing is drilled; for the units inch and mm program G20 or G21"};
+      return Text{
+          message(NC_("core", "{} (hole pattern) needs an active drilling cycle, I and L"), g_name(code)),
+          NC_("core", "nothing is drilled; for the units inch and mm program G20 or G21")};
     });
     return;
   }

@@ -59,17 +59,20 @@ std::optional<double> Compensation::radius(int code, std::uint32_t column) {
   }
   report(Severity::error, "tool-radius", offset, words_.column_or('D', column), [&] {
     if (gives_diameter(code)) {
-      return Text{fmt::format("{} without D", g_name(code)),
-                  "the path shown is the programmed contour; write D with the tool's diameter"};
+      return Text{message(NC_("core", "{} without D"), g_name(code)),
+                  NC_("core", "the path shown is the programmed contour; write D with the tool's diameter")};
     }
     if (offset == 0) {
-      return Text{fmt::format("{} without D: the radius of the tool is not known", g_name(code)),
-                  fmt::format("the path shown is the programmed contour; write {}",
-                              is_linuxcnc() ? "T and M6 before it, or D" : "D with the tool's offset")};
+      return Text{
+          message(NC_("core", "{} without D: the radius of the tool is not known"), g_name(code)),
+          is_linuxcnc()
+              ? NC_("core", "the path shown is the programmed contour; write T and M6 before it, or D")
+              : NC_("core", "the path shown is the programmed contour; write D with the tool's offset")};
     }
-    return Text{fmt::format("the radius of offset D{} is not known", offset),
-                fmt::format("the path shown is the programmed contour; {}, or set it with G10 L12 P{} R",
-                            ToolRack::radius_hint(fmt::format("{}", offset)), offset)};
+    return Text{
+        message(NC_("core", "the radius of offset D{} is not known"), offset),
+        message(NC_("core", "the path shown is the programmed contour; {}, or set it with G10 L12 P{} R"),
+                ToolRack::radius_hint(fmt::format("{}", offset)), offset)};
   });
   return std::nullopt;
 }
@@ -102,7 +105,8 @@ void Compensation::set_radius(int kind, std::uint32_t column) {
   if (of_length || !words_.has('R')) {
     return;
   }
-  if (!lacks("offset-number", 'P', 100, column, "the radius is ignored; write P with the tool's number")) {
+  if (!lacks("offset-number", 'P', 100, column,
+             NC_("core", "the radius is ignored; write P with the tool's number"))) {
     double& entry = radii_[static_cast<int>(words_['P'].value)];
     entry = kind == radius_wear ? entry + length('R') : length('R');
   }

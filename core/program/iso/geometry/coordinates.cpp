@@ -85,8 +85,9 @@ void Coordinates::set_position(std::uint32_t column) {
   frames_.set_position(here, targets_.axes(here));
   if (path().name_place(targets_.named_axes()) && path().has_moved()) {
     report(Severity::warning, "unknown-position", 2, column, [] {
-      return Text{"G92 gives coordinates to a position that is not known",
-                  "the path continues where the axis was before the move to the machine position"};
+      return Text{
+          NC_("core", "G92 gives coordinates to a position that is not known"),
+          NC_("core", "the path continues where the axis was before the move to the machine position")};
     });
   }
 }
@@ -127,8 +128,8 @@ void Coordinates::select_work_offset(int code, std::uint32_t column) {
   if (path().has_moved() && modal_.work_offset != 0 && modal_.work_offset != key &&
       !(known && known_before)) {
     report(Severity::warning, "work-offset", key, column, [&] {
-      return Text{fmt::format("{} is selected after motion in {}", Frames::name_of(key),
-                              Frames::name_of(modal_.work_offset)),
+      return Text{message(NC_("core", "{} is selected after motion in {}"), Frames::name_of(key),
+                          Frames::name_of(modal_.work_offset)),
                   missing_offset_hint(Frames::name_of(known ? modal_.work_offset : key))};
     });
   }
@@ -156,8 +157,8 @@ std::optional<int> Coordinates::offset_key(std::uint32_t column, bool further) c
   const double least = further ? 1 : 0;
   if (!(number >= least && number <= most && number == std::floor(number))) {
     report(Severity::error, "offset-number", 0, words_.column_or('P', column), [&] {
-      return Text{fmt::format("P{} is not a work offset number from {} to {}", number, least, most),
-                  "the block has no effect on the path"};
+      return Text{message(NC_("core", "P{} is not a work offset number from {} to {}"), number, least, most),
+                  NC_("core", "the block has no effect on the path")};
     });
     return std::nullopt;
   }
@@ -231,7 +232,8 @@ void Coordinates::preset_work_offset(std::uint32_t column) {
 }
 
 void Coordinates::rotate(std::uint32_t column) {
-  if (lacks("rotation-angle", 'R', 680, column, "the path is shown without it; write R with the angle")) {
+  if (lacks("rotation-angle", 'R', 680, column,
+            NC_("core", "the path is shown without it; write R with the angle"))) {
     return;
   }
   if (words_.has_any("IJK")) {
@@ -253,7 +255,8 @@ void Coordinates::rotate_in_space(std::uint32_t column) {
   }
   if (axis.isZero()) {
     report(Severity::error, "rotation-angle", 1, column, [] {
-      return Text{"G68 with I0 J0 K0 has no rotation axis", "the path is shown without it"};
+      return Text{NC_("core", "G68 with I0 J0 K0 has no rotation axis"),
+                  NC_("core", "the path is shown without it")};
     });
     return;
   }
@@ -278,11 +281,11 @@ void Coordinates::tilt(std::uint32_t column) {
   std::sort(sorted.begin(), sorted.end());
   if ((kind != 0 && kind != 1) || sorted != "123") {
     report(Severity::error, "unread-g", 682, words_.has('P') ? words_['P'].column : column, [&] {
-      return Text{
-          fmt::format(
-              "G68.2 P{} (tilted working plane by points, vectors or projection angles) is not supported",
-              kind),
-          "the path is shown without it"};
+      return Text{message(NC_("core",
+                              "G68.2 P{} (tilted working plane by points, vectors or projection angles) is "
+                              "not supported"),
+                          kind),
+                  NC_("core", "the path is shown without it")};
     });
     return;
   }
@@ -305,9 +308,10 @@ void Coordinates::tilt(std::uint32_t column) {
 
 void Coordinates::report_tilt(std::uint32_t column) const {
   report(Severity::warning, "tilted-plane", 0, column, [] {
-    return Text{"the working plane is tilted",
-                "the path is shown on the workpiece; on a machine that rotates the workpiece the axes move "
-                "differently"};
+    return Text{NC_("core", "the working plane is tilted"),
+                NC_("core",
+                    "the path is shown on the workpiece; on a machine that rotates the workpiece the axes "
+                    "move differently")};
   });
 }
 
@@ -317,8 +321,10 @@ void Coordinates::check_turning(std::uint32_t column) const {
     return;
   }
   report(Severity::warning, "turning-program", 0, column, [] {
-    return Text{"G50 with S belongs to a turning program",
-                "turning is not supported: X is used as a radius, G98 and G99 as those of drilling cycles"};
+    return Text{
+        NC_("core", "G50 with S belongs to a turning program"),
+        NC_("core",
+            "turning is not supported: X is used as a radius, G98 and G99 as those of drilling cycles")};
   });
 }
 
@@ -328,8 +334,8 @@ double Coordinates::scale_factor(const Word& word) const {
   const double factor = thousandths ? word.value / 1000 : word.value;
   if (factor == 0) {
     report(Severity::error, "scale-factor", 0, word.column, [&] {
-      return Text{fmt::format("scale factor {}{} is zero", word.letter, word.value),
-                  "1 is used; write a factor other than zero"};
+      return Text{message(NC_("core", "scale factor {}{} is zero"), word.letter, word.value),
+                  NC_("core", "1 is used; write a factor other than zero")};
     });
     return 1;
   }
@@ -345,7 +351,7 @@ void Coordinates::scale(std::uint32_t column) {
       factors[axis] = words_.has(letter) ? scale_factor(words_[letter]) : 1;
     }
   } else if (!lacks("scale-factor", 'P', 510, column,
-                    "the path is shown without it; write P with the factor")) {
+                    NC_("core", "the path is shown without it; write P with the factor"))) {
     factors = Vec3::Constant(scale_factor(words_['P']));
   }
   const Vec3 here = frames_.rotated().to_programmed(path().shown_position());

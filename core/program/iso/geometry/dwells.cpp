@@ -1,7 +1,5 @@
 #include "core/program/iso/geometry/dwells.h"
 
-#include <fmt/format.h>
-
 #include "core/program/iso/language/printer_words.h"
 
 namespace feedscope::iso {
@@ -27,14 +25,16 @@ void Dwells::check_seconds(const Word& word, bool milliseconds) const {
   }
   if (!is_linuxcnc() && (word.letter == 'X' || word.letter == 'U')) {
     report(Severity::warning, "decimal-point", 1, word.column, [&] {
-      return Text{
-          fmt::format("{0}{1} without a decimal point is used as {1} seconds", word.letter, word.value),
-          "many controls use it in units of 0.001 s; write a decimal point"};
+      return Text{message(NC_("core", "{}{} without a decimal point is used as {} seconds"), word.letter,
+                          word.value, word.value),
+                  NC_("core", "many controls use it in units of 0.001 s; write a decimal point")};
     });
   } else if (is_linuxcnc() && word.letter == 'P') {
     report(Severity::info, "dwell-unit", 1, word.column, [&] {
-      return Text{fmt::format("P{0} is used as {0} seconds, as in {1}", word.value, info_of(dialect()).title),
-                  fmt::format("for a control that takes milliseconds, write P{}", word.value / 1000)};
+      return Text{
+          message(NC_("core", "P{} is used as {} seconds, as in {}"), word.value, word.value,
+                  info_of(dialect()).title),
+          message(NC_("core", "for a control that takes milliseconds, write P{}"), word.value / 1000)};
     });
   }
 }
@@ -47,15 +47,17 @@ void Dwells::run() {
     const Word& word = words_[letter];
     if (word.value < 0) {
       report(Severity::error, "dwell-time", 0, word.column, [&] {
-        return Text{fmt::format("dwell time {}{} is negative", letter, word.value), "the dwell is skipped"};
+        return Text{message(NC_("core", "dwell time {}{} is negative"), letter, word.value),
+                    NC_("core", "the dwell is skipped")};
       });
       return;
     }
     const bool milliseconds = letter == 'P' && (is_printer() || (!word.has_point && !is_linuxcnc()));
     if (milliseconds && dialect() == Dialect::iso && word.value > 0 && word.value < shortest_plain_p) {
       report(Severity::info, "dwell-unit", 0, word.column, [&] {
-        return Text{fmt::format("P{0} without a decimal point is used as {0} milliseconds", word.value),
-                    fmt::format("write P{}.0 for seconds", word.value)};
+        return Text{message(NC_("core", "P{} without a decimal point is used as {} milliseconds"), word.value,
+                            word.value),
+                    message(NC_("core", "write P{}.0 for seconds"), word.value)};
       });
     }
     check_seconds(word, milliseconds);
@@ -65,7 +67,8 @@ void Dwells::run() {
     return;
   }
   report(Severity::error, "dwell-time", 1, words_.dwell, [] {
-    return Text{"G4 without a time", "the dwell is skipped; write P, X or U with the time"};
+    return Text{NC_("core", "G4 without a time"),
+                NC_("core", "the dwell is skipped; write P, X or U with the time")};
   });
 }
 

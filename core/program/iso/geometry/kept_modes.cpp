@@ -18,7 +18,8 @@ void KeptModes::run(int code, std::uint32_t column) {
         restore(*kept);
       } else {
         report(Severity::error, "modal-state", 0, column, [] {
-          return Text{"M72 has no modal state to restore", "nothing changes; write M70 before it"};
+          return Text{NC_("core", "M72 has no modal state to restore"),
+                      NC_("core", "nothing changes; write M70 before it")};
         });
       }
       break;

@@ -83,7 +83,8 @@ void MachinePositions::return_from_reference() {
 
 void MachinePositions::report_levelling(std::uint32_t column) const {
   report(Severity::info, "unread-g", 290, column, [] {
-    return Text{"G29 (bed levelling of printers) is not supported", "nothing moves"};
+    return Text{NC_("core", "G29 (bed levelling of printers) is not supported"),
+                NC_("core", "nothing moves")};
   });
 }
 

@@ -1,7 +1,5 @@
 #include "core/program/iso/geometry/motion.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numbers>
 
@@ -103,15 +101,21 @@ void Motions::report_no_motion_word() const {
   const bool is_refused = dialect() == Dialect::linuxcnc || (dialect() == Dialect::grbl && modal_.after_g80);
   report(is_refused ? Severity::error : Severity::warning, "motion-mode", is_refused ? 1 : 0,
          words_.first_column("XYZ"), [&] {
-           const char* const refused =
+           const Message assumed =
+               modal_.after_g80 ? NC_("core", "position words after G80 without a new G0, G1, G2 or G3")
+                                : NC_("core", "position words before the first G0, G1, G2 or G3");
+           const std::string_view control = info_of(dialect()).title;
+           const Message refused =
                modal_.after_g80
-                   ? "position words after G80 without a new G0, G1, G2 or G3: {} stops here with an error"
-                   : "position words before the first G0, G1, G2 or G3: {} stops here with an error";
-           const char* const assumed = modal_.after_g80
-                                           ? "position words after G80 without a new G0, G1, G2 or G3"
-                                           : "position words before the first G0, G1, G2 or G3";
-           return Text{is_refused ? fmt::format(fmt::runtime(refused), info_of(dialect()).title) : assumed,
-                       "G0 is used; write the G word"};
+                   ? message(NC_("core",
+                                 "position words after G80 without a new G0, G1, G2 or G3: {} stops here "
+                                 "with an error"),
+                             control)
+                   : message(
+                         NC_("core",
+                             "position words before the first G0, G1, G2 or G3: {} stops here with an error"),
+                         control);
+           return Text{is_refused ? refused : assumed, NC_("core", "G0 is used; write the G word")};
          });
 }
 
@@ -119,7 +123,8 @@ void Motions::check_inverse_time() const {
   const bool at_feed = modal_.motion != MotionMode::rapid && modal_.motion != MotionMode::unread;
   if (path().feed_mode() == FeedMode::inverse_time && at_feed && !words_.has('F') && path().feed() > 0) {
     report(Severity::error, "feed-missing", 1, words_.first_column("XYZIJKR"), [] {
-      return Text{"a feed move without F under G93", "the last F is used; write F in every such block"};
+      return Text{NC_("core", "a feed move without F under G93"),
+                  NC_("core", "the last F is used; write F in every such block")};
     });
   }
 }
@@ -131,9 +136,10 @@ void Motions::cut_corner(bool at_line_or_arc) const {
   const Word& word = *words_.corner;
   if (!at_line_or_arc || !(word.value > 0)) {
     report(Severity::error, "corner", at_line_or_arc ? 2 : 3, word.column, [&] {
-      return Text{at_line_or_arc ? fmt::format("a rounding or chamfer of {} is not above zero", word.value)
-                                 : fmt::format(",{} in a block that is not a line or an arc", word.letter),
-                  "the corner stays sharp; write it in the G1, G2 or G3 block that ends at the corner"};
+      return Text{
+          at_line_or_arc ? message(NC_("core", "a rounding or chamfer of {} is not above zero"), word.value)
+                         : message(NC_("core", ",{} in a block that is not a line or an arc"), word.letter),
+          NC_("core", "the corner stays sharp; write it in the G1, G2 or G3 block that ends at the corner")};
     });
     return;
   }
@@ -149,14 +155,15 @@ void Motions::arc() {
   const Vec3 target = targets_.target();
   if (!words_.has_any("IJKR")) {
     report(Severity::error, "arc-center", 0, words_.first_column("XYZ"), [] {
-      return Text{"the arc has neither a centre (I, J, K) nor a radius (R)", std::string(straight_instead)};
+      return Text{NC_("core", "the arc has neither a centre (I, J, K) nor a radius (R)"), straight_instead};
     });
     path().line(target);
     return;
   }
   if (words_.has('R') && words_.has_any("IJK")) {
     report(Severity::error, "arc-center", 1, words_.first_column("IJK"), [] {
-      return Text{"the arc has both a centre (I, J, K) and a radius (R)", "R is used; remove one of them"};
+      return Text{NC_("core", "the arc has both a centre (I, J, K) and a radius (R)"),
+                  NC_("core", "R is used; remove one of them")};
     });
   }
   for (const char letter : {'I', 'J', 'K', 'R'}) {
@@ -178,7 +185,8 @@ void Motions::arc() {
     }
     request.center = targets_.center(modal_.absolute_centers);
     request.other_center = targets_.center(!modal_.absolute_centers);
-    request.other_reading = modal_.absolute_centers ? "an offset (G91.1)" : "a position (G90.1)";
+    request.other_reading =
+        modal_.absolute_centers ? NC_("core", "an offset (G91.1)") : NC_("core", "a position (G90.1)");
     path().arc_by_center(request);
   }
 }
@@ -193,8 +201,8 @@ double Motions::extra_turns() const {
     return word.value - 1;
   }
   report(Severity::error, "arc-turns", 0, word.column, [&] {
-    return Text{fmt::format("P{} is not a number of turns from 1 to {}", word.value, max_turns),
-                "one turn is used"};
+    return Text{message(NC_("core", "P{} is not a number of turns from 1 to {}"), word.value, max_turns),
+                NC_("core", "one turn is used")};
   });
   return 0;
 }
@@ -203,8 +211,9 @@ void Motions::check_center_axis() const {
   const char letter = center_letters[static_cast<std::size_t>(modal_.plane)];
   if (words_.has(letter) && words_[letter].value != 0 && !modal_.absolute_centers) {
     report(Severity::warning, "unused-word", letter, words_[letter].column, [&] {
-      return Text{fmt::format("{}{} is perpendicular to the plane of the arc", letter, words_[letter].value),
-                  "it is ignored; check whether G17, G18 or G19 is missing"};
+      return Text{
+          message(NC_("core", "{}{} is perpendicular to the plane of the arc"), letter, words_[letter].value),
+          NC_("core", "it is ignored; check whether G17, G18 or G19 is missing")};
     });
   }
 }

@@ -1,7 +1,5 @@
 #include "core/program/iso/geometry/path_modes.h"
 
-#include <fmt/format.h>
-
 #include "core/machine/contour_tolerance.h"
 
 namespace feedscope::iso {
@@ -43,13 +41,13 @@ void PathModes::apply(const GCode& code) {
       break;
     case smoothness:
       control.contour_tolerance = tolerance('E', "G187");
-      report_mode('P', "G187 (smoothness)");
+      report_mode('P', NC_("core", "G187 (smoothness)"));
       break;
     case 50:
       switched('P', high_speed);
       break;
     case 51:
-      report_mode('R', "G5.1 (machining condition from speed to accuracy)");
+      report_mode('R', NC_("core", "G5.1 (machining condition from speed to accuracy)"));
       if (words_.has('Q') && words_['Q'].value == smooth_interpolation) {
         control.compressor = control.look_ahead = Switch::machine;
         report_smooth_interpolation();
@@ -70,13 +68,14 @@ void PathModes::apply(const GCode& code) {
 }
 
 /// Reports a word that chooses between sets of parameters of the control.
-void PathModes::report_mode(char letter, std::string_view of) const {
+void PathModes::report_mode(char letter, Translatable of) const {
   if (words_.has(letter)) {
     const Word& word = words_[letter];
     report(Severity::info, "machining-mode", letter, word.column, [&] {
       return Text{
-          fmt::format("{}{} of {} changes nothing in the simulation", letter, word.value, of),
-          "its parameters exist only in the control; set acceleration and jerk of the machine instead"};
+          message(NC_("core", "{}{} of {} changes nothing in the simulation"), letter, word.value, of),
+          NC_("core",
+              "its parameters exist only in the control; set acceleration and jerk of the machine instead")};
     });
   }
 }
@@ -84,9 +83,10 @@ void PathModes::report_mode(char letter, std::string_view of) const {
 /// Fanuc, Series 15i/150i-MA, Operator's Manual, 4.16: a curve where the radius is large, lines at corners.
 void PathModes::report_smooth_interpolation() const {
   report(Severity::warning, "unread-g", 'Q', words_['Q'].column, [] {
-    return Text{"G5.1 Q2 (smooth interpolation) is not supported",
-                "its blocks are run as lines; the setting compressor=on smooths them within the tolerance, "
-                "but not by the control's own curve"};
+    return Text{NC_("core", "G5.1 Q2 (smooth interpolation) is not supported"),
+                NC_("core",
+                    "its blocks are run as lines; the setting compressor=on smooths them within the "
+                    "tolerance, but not by the control's own curve")};
   });
 }
 
@@ -97,15 +97,15 @@ std::optional<double> PathModes::tolerance(char letter, std::string_view of) con
   const Word& word = words_[letter];
   if (word.value < 0) {
     report(Severity::error, "path-tolerance", 0, word.column, [&] {
-      return Text{fmt::format("tolerance {}{} of {} is negative", letter, word.value, of),
-                  "it is ignored; write a tolerance of zero or more"};
+      return Text{message(NC_("core", "tolerance {}{} of {} is negative"), letter, word.value, of),
+                  NC_("core", "it is ignored; write a tolerance of zero or more")};
     });
     return std::nullopt;
   }
   const double tolerance = modal_.to_mm(word.value);
   if (is_too_small(tolerance)) {
     report(Severity::warning, "path-tolerance", 1, word.column, [&] {
-      return too_small_text(fmt::format("tolerance {}{} of {}", letter, plain_text(word.value), of));
+      return too_small_text(message(NC_("core", "tolerance {}{} of {}"), letter, plain_text(word.value), of));
     });
     return least_tolerance;
   }

@@ -20,7 +20,7 @@ class PathModes : private Part {
  private:
   std::optional<double> tolerance(char letter, std::string_view of) const;
   void set_tolerances(PathControl& control) const;
-  void report_mode(char letter, std::string_view of) const;
+  void report_mode(char letter, Translatable of) const;
   void report_smooth_interpolation() const;
 };
 

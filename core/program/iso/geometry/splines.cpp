@@ -1,7 +1,5 @@
 #include "core/program/iso/geometry/splines.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -25,7 +23,7 @@ void Splines::begin(const GCode& code, const Word& word) {
   if (code.number == nurbs_end) {
     if (nurbs_.points.empty()) {
       report(Severity::error, "spline-words", nurbs_end, word.column, [] {
-        return Text{"G5.3 without G5.2", "it is skipped"};
+        return Text{NC_("core", "G5.3 without G5.2"), NC_("core", "it is skipped")};
       });
     }
     end_nurbs();
@@ -36,8 +34,8 @@ void Splines::begin(const GCode& code, const Word& word) {
     end_nurbs();
     if (dialect() == Dialect::linuxcnc && (words_.has('Q') || !words_.has('K'))) {
       report(Severity::error, "spline-words", 'Q', word.column, [] {
-        return Text{"G6.2 as LinuxCNC has it (weights P, no knots K) is not supported",
-                    "positions are skipped up to the next G0 to G3; write G5.2 and G5.3"};
+        return Text{NC_("core", "G6.2 as LinuxCNC has it (weights P, no knots K) is not supported"),
+                    NC_("core", "positions are skipped up to the next G0 to G3; write G5.2 and G5.3")};
       });
       modal_.motion = MotionMode::unread;
       return;
@@ -60,8 +58,8 @@ bool Splines::lacks_words(char first, char second) {
     return false;
   }
   report(Severity::error, "spline-words", modal_.spline_code, words_.first_column("XYZ"), [&] {
-    return Text{fmt::format("{} without {} and {}", g_name(modal_.spline_code), first, second),
-                std::string(straight_instead)};
+    return Text{message(NC_("core", "{} without {} and {}"), g_name(modal_.spline_code), first, second),
+                straight_instead};
   });
   path().line(targets_.target());
   has_tangent_ = false;
@@ -131,8 +129,8 @@ void Splines::add_control_point() {
   const double weight = words_.value_or('P', names_place ? 0 : 1);
   if (!(weight > 0) && names_place) {
     report(Severity::error, "spline-words", nurbs, words_.column_or('P', words_.first_column("XY")), [] {
-      return Text{"a control point of G5.2 without a weight above zero",
-                  "1 is used; write P with the weight"};
+      return Text{NC_("core", "a control point of G5.2 without a weight above zero"),
+                  NC_("core", "1 is used; write P with the weight")};
     });
   }
   const ControlPoint point = control_point(path().position(), weight > 0 ? weight : 1);
@@ -146,8 +144,8 @@ void Splines::add_control_point() {
     const double most = max_spline_degree + 1;
     if (words_['L'].value > most) {
       report(Severity::error, "spline-words", 'L', words_['L'].column, [&] {
-        return Text{fmt::format("order L{} of G5.2 is above {}", words_['L'].value, most),
-                    fmt::format("{} is taken", most)};
+        return Text{message(NC_("core", "order L{} of G5.2 is above {}"), words_['L'].value, most),
+                    message(NC_("core", "{} is taken"), most)};
       });
     }
     nurbs_.order = static_cast<std::size_t>(std::min(words_['L'].value, most));
@@ -171,9 +169,9 @@ void Splines::add_fanuc_control_point() {
       const bool fits = order >= min_order && order <= max_spline_degree + 1 && order == std::floor(order);
       if (!fits) {
         report(Severity::error, "spline-words", 'P', words_['P'].column, [&] {
-          return Text{
-              fmt::format("order P{} of G6.2 is not from {} to {}", order, min_order, max_spline_degree + 1),
-              "4 is taken"};
+          return Text{message(NC_("core", "order P{} of G6.2 is not from {} to {}"), order, min_order,
+                              max_spline_degree + 1),
+                      NC_("core", "4 is taken")};
         });
       }
       nurbs_.order = fits ? static_cast<std::size_t>(order) : nurbs_.order;
@@ -187,8 +185,8 @@ void Splines::add_fanuc_control_point() {
     const double weight = words_.value_or('R', 1);
     if (!(weight > 0)) {
       report(Severity::error, "spline-words", 'R', words_['R'].column, [] {
-        return Text{"a control point of G6.2 without a weight above zero",
-                    "1 is used; write R with the weight"};
+        return Text{NC_("core", "a control point of G6.2 without a weight above zero"),
+                    NC_("core", "1 is used; write R with the weight")};
       });
     }
     nurbs_.points.push_back(control_point(nurbs_.end, weight > 0 ? weight : 1));
@@ -211,10 +209,11 @@ void Splines::end_fanuc_nurbs() {
   path().program_axes();
   if (!sound) {
     machining_.log.add(Severity::error, "spline-words", fanuc_nurbs, points.back().place, [&] {
-      return Text{fmt::format("G6.2 of order {} with {} control points and {} knots K", nurbs_.order,
-                              points.size(), knots.size()),
-                  "a straight line to the last point is used instead; write as many non-decreasing K as "
-                  "points and order together"};
+      return Text{message(NC_("core", "G6.2 of order {} with {} control points and {} knots K"), nurbs_.order,
+                          points.size(), knots.size()),
+                  NC_("core",
+                      "a straight line to the last point is used instead; write as many non-decreasing K as "
+                      "points and order together")};
     });
     path().line(points.back().at);
   } else {
@@ -258,9 +257,9 @@ void Splines::end_nurbs() {
   const std::size_t degree = nurbs_.order - 1;
   if (points.size() <= degree) {
     report(Severity::error, "spline-words", 'n', points.back().place.column, [&] {
-      return Text{
-          fmt::format("G5.2 with {} control points is too short for order {}", points.size(), nurbs_.order),
-          "a straight line to the last one is used instead"};
+      return Text{message(NC_("core", "G5.2 with {} control points is too short for order {}"), points.size(),
+                          nurbs_.order),
+                  NC_("core", "a straight line to the last one is used instead")};
     });
     path().line(points.back().at);
     return;
@@ -278,8 +277,9 @@ void Splines::finish() {
     return;
   }
   report(Severity::error, "spline-words", nurbs, 0, [&] {
-    return Text{fmt::format("G5.2 in line {} is not closed by G5.3", nurbs_.points.front().place.line),
-                "the curve ends at its last control point"};
+    return Text{
+        message(NC_("core", "G5.2 in line {} is not closed by G5.3"), nurbs_.points.front().place.line),
+        NC_("core", "the curve ends at its last control point")};
   });
   end_nurbs();
 }

@@ -1,7 +1,5 @@
 #include "core/program/iso/geometry/targets.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "core/base/units.h"
@@ -73,10 +71,13 @@ void Targets::check_point(char letter, double implausible) const {
     return;
   }
   report(Severity::warning, "decimal-point", 0, word.column, [&] {
-    return Text{fmt::format("{}{:.0f} without a decimal point is used as {:.0f} {}", letter, word.value,
-                            word.value, modal_.inch ? "inch" : "mm"),
-                modal_.inch ? "many controls use it in units of 0.0001 inch; write a decimal point"
-                            : "many controls use it in units of 0.001 mm; write a decimal point"};
+    return Text{modal_.inch ? message(NC_("core", "{}{:.0f} without a decimal point is used as {:.0f} inch"),
+                                      letter, word.value, word.value)
+                            : message(NC_("core", "{}{:.0f} without a decimal point is used as {:.0f} mm"),
+                                      letter, word.value, word.value),
+                modal_.inch
+                    ? NC_("core", "many controls use it in units of 0.0001 inch; write a decimal point")
+                    : NC_("core", "many controls use it in units of 0.001 mm; write a decimal point")};
   });
 }
 
@@ -105,8 +106,8 @@ Vec3 Targets::distance_and_angle_target(Vec3 target) const {
   const Word& first = words_.distance != nullptr ? *words_.distance : *words_.angle;
   if (words_.has_any("XY")) {
     report(Severity::error, "polar-words", 0, first.column, [&] {
-      return Text{fmt::format("{} in a block with X or Y", first.letter),
-                  "X and Y are ignored; write either of them"};
+      return Text{message(NC_("core", "{} in a block with X or Y"), first.letter),
+                  NC_("core", "X and Y are ignored; write either of them")};
     });
   }
   const Vec3 position = path().position();
@@ -114,8 +115,8 @@ Vec3 Targets::distance_and_angle_target(Vec3 target) const {
   double angle = std::atan2(position.y(), position.x());
   if (distance < same_point && (modal_.incremental || words_.angle == nullptr)) {
     report(Severity::error, "polar-words", 1, first.column, [] {
-      return Text{"the tool is at X0 Y0, where it has no angle",
-                  "angle zero is used; write both @ and ^ with G90"};
+      return Text{NC_("core", "the tool is at X0 Y0, where it has no angle"),
+                  NC_("core", "angle zero is used; write both @ and ^ with G90")};
     });
     angle = 0;
   }

@@ -58,8 +58,11 @@ void Calls::call_program(const Word& word) {
     found = subprograms_.program(number);
   }
   if (found.text == nullptr) {
-    report_missing(fmt::format("M{} calls program {:.0f}", word.value, number),
-                   fmt::format("O{:04.0f}", number), program.column);
+    report_missing(
+        message(NC_("core",
+                    "M{} calls program {:.0f}, which is neither in the program nor in a file in its folder"),
+                word.value, number),
+        fmt::format("O{:04.0f}", number), program.column);
     return;
   }
   enter(found, times, std::nullopt);
@@ -72,16 +75,18 @@ void Calls::call_named_file(const Word& word) {
   const std::size_t to = line.find(')', from == std::string_view::npos ? 0 : from);
   if (from == std::string_view::npos || to == std::string_view::npos) {
     report(Severity::error, "subprogram", 1, word.column, [&] {
-      return Text{fmt::format("M{} without P", word.value),
-                  "nothing is called; write P with the number of the subprogram"};
+      return Text{message(NC_("core", "M{} without P"), word.value),
+                  NC_("core", "nothing is called; write P with the number of the subprogram")};
     });
     return;
   }
   const std::string name = std::filesystem::path(line.substr(from + 1, to - from - 1)).filename().string();
   const Subprogram found = subprograms_.file(name);
   if (found.text == nullptr) {
-    report_missing(fmt::format("M{} calls file {}", word.value, in_quotes(std::string_view(name))), name,
-                   static_cast<std::uint32_t>(from + 1));
+    report_missing(
+        message(NC_("core", "M{} calls file {}, which is neither in the program nor in a file in its folder"),
+                word.value, in_quotes(std::string_view(name))),
+        name, static_cast<std::uint32_t>(from + 1));
     return;
   }
   enter(found, repeats_of_block(), std::nullopt);
@@ -94,8 +99,9 @@ void Calls::call_blocks(const Word& word) {
                 .block(static_cast<std::uint32_t>(words_['P'].value), lines().line() + 1)
           : 0;
   if (target == 0) {
-    throw ReadFault{"jump-target", word.column, "M97 without P and the number of a block in this program",
-                    "nothing is called; write P with the N number of the first block"};
+    throw ReadFault{"jump-target", word.column,
+                    NC_("core", "M97 without P and the number of a block in this program"),
+                    NC_("core", "nothing is called; write P with the N number of the first block")};
   }
   enter({lines().text_in_force(), target}, repeats_of_block(), std::nullopt);
 }
@@ -122,12 +128,14 @@ void Calls::return_to(const Word& word) {
       is_program_number(number) ? indexes_.of(lines().text()).block(static_cast<std::uint32_t>(number), from)
                                 : 0;
   if (block == 0) {
-    throw ReadFault{"jump-target", word.column, fmt::format("jump target N{} does not exist", number),
-                    "the jump is skipped; correct the number"};
+    throw ReadFault{"jump-target", word.column,
+                    message(NC_("core", "jump target N{} does not exist"), number),
+                    NC_("core", "the jump is skipped; correct the number")};
   }
   if (!called && block <= lines().line()) {
     report(Severity::info, "endless-program", 0, word.column, [&] {
-      return Text{fmt::format("the program repeats from N{} without end", number), "one pass is shown"};
+      return Text{message(NC_("core", "the program repeats from N{} without end"), number),
+                  NC_("core", "one pass is shown")};
     });
     lines().end_program();
     return;
@@ -144,16 +152,17 @@ double Calls::repeats_of_block() const {
     return word.value;
   }
   report(Severity::error, "repeat-count", 0, word.column, [&] {
-    return Text{fmt::format("L{} is not a number of times from 0 to {}", word.value, max_times),
-                "it is run once"};
+    return Text{message(NC_("core", "L{} is not a number of times from 0 to {}"), word.value, max_times),
+                NC_("core", "it is run once")};
   });
   return 1;
 }
 
-void Calls::report_missing(const std::string& who, const std::string& file, std::uint32_t column) const {
+void Calls::report_missing(const Message& what, const std::string& file, std::uint32_t column) const {
   report(Severity::error, "subprogram", 0, column, [&] {
-    return Text{fmt::format("{}, which is neither in the program nor in a file in its folder", who),
-                fmt::format("its motion is missing; add the file \"{}\" to the program's folder", file)};
+    return Text{
+        what,
+        message(NC_("core", "its motion is missing; add the file \"{}\" to the program's folder"), file)};
   });
 }
 
@@ -203,11 +212,15 @@ void Calls::run_macro_call(const Block& block) {
   const MacroCall macro = macro_call(block);
   if (macro.column == 0) {
     report(Severity::error, "subprogram", 1, block.words.front().column, [&] {
-      return Text{fmt::format("G{} without P", kind), "nothing is called; write P with the macro's number"};
+      return Text{message(NC_("core", "G{} without P"), kind),
+                  NC_("core", "nothing is called; write P with the macro's number")};
     });
   } else if (macro.found.text == nullptr) {
     modal_macro_.reset();
-    report_missing(fmt::format("macro program {:.0f} is called", macro.program),
+    report_missing(message(NC_("core",
+                               "macro program {:.0f} is called, which is neither in the program nor in a "
+                               "file in its folder"),
+                           macro.program),
                    fmt::format("O{:04.0f}", macro.program), macro.column);
   } else if (kind == 66) {
     modal_macro_ = macro;
@@ -220,8 +233,10 @@ void Calls::call_sub(const std::string& label, std::uint32_t column, const std::
   const Subprogram found = subprograms_.sub(label);
   if (found.text == nullptr) {
     const bool named = label.front() == '<';
-    report_missing(fmt::format("o{} is called", label),
-                   (named ? label.substr(1, label.size() - 2) : label) + ".ngc", column);
+    report_missing(
+        message(NC_("core", "o{} is called, which is neither in the program nor in a file in its folder"),
+                label),
+        (named ? label.substr(1, label.size() - 2) : label) + ".ngc", column);
     return;
   }
   Variables::Locals locals = variables_.no_arguments();

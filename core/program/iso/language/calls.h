@@ -70,7 +70,7 @@ class Calls : private Part {
   void call(const MacroCall& macro) { enter(macro.found, macro.times, macro.arguments); }
   void enter(const Subprogram& subprogram, double times, const std::optional<Variables::Locals>& arguments);
   double repeats_of_block() const;
-  void report_missing(const std::string& who, const std::string& file, std::uint32_t column) const;
+  void report_missing(const Message& what, const std::string& file, std::uint32_t column) const;
 
   Variables& variables_;
   KeptModes& kept_modes_;

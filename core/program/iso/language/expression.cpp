@@ -1,7 +1,5 @@
 #include "core/program/iso/language/expression.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -256,8 +254,8 @@ std::uint32_t Expression::variable_number(Scanner& scanner) {
   const double value = number(read_operand(scanner));
   const double whole = std::round(value);
   if (!(whole >= 0 && whole <= largest && std::abs(value - whole) <= whole_within)) {
-    throw ReadFault{"variable", column, fmt::format("\"{}\" is not a variable number", value),
-                    "the block does not move; variable numbers are whole and start at 0"};
+    throw ReadFault{"variable", column, message(NC_("core", "\"{}\" is not a variable number"), value),
+                    NC_("core", "the block does not move; variable numbers are whole and start at 0")};
   }
   return static_cast<std::uint32_t>(whole);
 }
@@ -269,12 +267,14 @@ std::string Expression::variable_name(Scanner& scanner) {
   }
   const std::size_t end = scanner.text().find('>', scanner.at());
   if (end == std::string_view::npos) {
-    throw ReadFault{"expression", column, "\">\" is missing after the name", "close the name with \">\""};
+    throw ReadFault{"expression", column, NC_("core", "\">\" is missing after the name"),
+                    NC_("core", "close the name with \">\"")};
   }
   std::string name = normal_name(scanner.text().substr(scanner.at(), end - scanner.at()));
   scanner.move_to(end + 1);
   if (name.empty()) {
-    throw ReadFault{"expression", column, "the name between \"<\" and \">\" is empty", "write a name"};
+    throw ReadFault{"expression", column, NC_("core", "the name between \"<\" and \">\" is empty"),
+                    NC_("core", "write a name")};
   }
   return name;
 }
@@ -330,7 +330,8 @@ double Expression::exists(Scanner& scanner) {
   expect(scanner, '#');
   const std::string name = variable_name(scanner);
   if (name.empty()) {
-    throw ReadFault{"expression", scanner.column(), "EXISTS needs a named variable", "write EXISTS[#<name>]"};
+    throw ReadFault{"expression", scanner.column(), NC_("core", "EXISTS needs a named variable"),
+                    NC_("core", "write EXISTS[#<name>]")};
   }
   expect(scanner, ']');
   return variables_.has_name(name) ? 1 : 0;

@@ -1,7 +1,5 @@
 #include "core/program/iso/language/faults.h"
 
-#include <fmt/format.h>
-
 #include <string>
 
 #include "core/program/text/message.h"
@@ -10,26 +8,28 @@ namespace feedscope::iso {
 
 namespace {
 
-constexpr std::string_view not_moved = "the block does not move; correct the word or write a plain number";
+constexpr Translatable not_moved =
+    NC_("core", "the block does not move; correct the word or write a plain number");
 
 DiagnosticLog::Text text_of(const Fault& fault, std::string_view written) {
   switch (fault.kind) {
     case FaultKind::malformed_number:
-      return {fmt::format("{} has no valid number", in_quotes(written)), std::string(not_moved)};
+      return {message(NC_("core", "{} has no valid number"), in_quotes(written)), not_moved};
     case FaultKind::number_range:
-      return {fmt::format("{} is above the largest number, 1000000000", in_quotes(written)),
-              std::string(not_moved)};
+      return {message(NC_("core", "{} is above the largest number, 1000000000"), in_quotes(written)),
+              not_moved};
     case FaultKind::unclosed_comment:
-      return {fmt::format("the comment {} is not closed", in_quotes(written)),
-              "the rest of the line is used as the comment; add the closing bracket"};
+      return {message(NC_("core", "the comment {} is not closed"), in_quotes(written)),
+              NC_("core", "the rest of the line is used as the comment; add the closing bracket")};
     case FaultKind::character:
       break;
   }
   const auto byte = static_cast<unsigned char>(written.front());
   const bool plain = byte > ' ' && byte <= '~';
-  return {fmt::format("{} does not start a word",
-                      plain ? in_quotes(written) : fmt::format("byte 0x{:02X}", byte)),
-          "the rest of the line is skipped and the block does not move; remove the character"};
+  return {
+      message(NC_("core", "{} does not start a word"),
+              plain ? Message::as_written(in_quotes(written)) : message(NC_("core", "byte 0x{:02X}"), byte)),
+      NC_("core", "the rest of the line is skipped and the block does not move; remove the character")};
 }
 
 MessageCode code_of(FaultKind kind) {

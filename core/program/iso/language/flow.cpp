@@ -20,41 +20,41 @@ bool only_number_before(const Block& block) {
                      [](const Word& word) { return word.letter == 'N'; });
 }
 
-std::string_view partner(FlowWord word) {
+Message partner(FlowWord word) {
   switch (word) {
     case FlowWord::sub:
-      return "endsub";
+      return Message::as_written("endsub");
     case FlowWord::endsub:
-      return "sub";
+      return Message::as_written("sub");
     case FlowWord::if_:
-      return "endif";
+      return Message::as_written("endif");
     case FlowWord::elseif:
     case FlowWord::else_:
     case FlowWord::endif:
-      return "if";
+      return Message::as_written("if");
     case FlowWord::while_:
-      return "endwhile";
+      return Message::as_written("endwhile");
     case FlowWord::endwhile:
-      return "while";
+      return Message::as_written("while");
     case FlowWord::repeat:
-      return "endrepeat";
+      return Message::as_written("endrepeat");
     case FlowWord::endrepeat:
-      return "repeat";
+      return Message::as_written("repeat");
     case FlowWord::break_:
     case FlowWord::continue_:
-      return "loop around it";
+      return NC_("core", "loop around it");
     case FlowWord::macro_do:
-      return "END with its number";
+      return NC_("core", "END with its number");
     case FlowWord::macro_end:
-      return "DO with its number";
+      return NC_("core", "DO with its number");
     case FlowWord::do_:
-      return "while";
+      return Message::as_written("while");
     case FlowWord::none:
     case FlowWord::call:
     case FlowWord::return_:
       break;
   }
-  return "";
+  return {};
 }
 
 bool is_paired(const FlowIndex::Statement& statement) {
@@ -100,8 +100,8 @@ void Flow::report_rest(Scanner& scan) const {
     return;
   }
   report(Severity::error, "unread-statement", 1, scan.column(), [&] {
-    return Text{fmt::format("{} follows a statement", in_quotes(scan.rest())),
-                "it is skipped; write it in a line of its own"};
+    return Text{message(NC_("core", "{} follows a statement"), in_quotes(scan.rest())),
+                NC_("core", "it is skipped; write it in a line of its own")};
   });
   skip_rest(scan);
 }
@@ -129,9 +129,10 @@ bool Flow::run_o_word(const Block& line, Scanner& scan) {
   Scanner after = scan;
   const FlowWord word = o_word_named(after.name());
   if (word == FlowWord::none) {
-    throw ReadFault{"unread-statement", column,
-                    fmt::format("{} is not an O word", in_quotes(scan.text().substr(column - 1))),
-                    "the line is skipped; O words are sub, call, if, while, do, repeat and their ends"};
+    throw ReadFault{
+        "unread-statement", column,
+        message(NC_("core", "{} is not an O word"), in_quotes(scan.text().substr(column - 1))),
+        NC_("core", "the line is skipped; O words are sub, call, if, while, do, repeat and their ends")};
   }
   scan = after;
   run_o_word(word, label, column, scan);
@@ -209,8 +210,8 @@ void Flow::call(const std::string& label, std::uint32_t column, Scanner& scan) {
     const std::uint32_t argument_column = scan.column();
     const double value = expression_.read_operand(scan);
     if (arguments.size() == max_arguments) {
-      throw ReadFault{"expression", argument_column, "a call has more than 30 arguments",
-                      "the call is skipped; pass the rest in global variables"};
+      throw ReadFault{"expression", argument_column, NC_("core", "a call has more than 30 arguments"),
+                      NC_("core", "the call is skipped; pass the rest in global variables")};
     }
     arguments.push_back(value);
   }
@@ -221,8 +222,8 @@ void Flow::return_from_sub(Scanner& scan) {
   const bool returns_value = !scan.at_end();
   const double value = returns_value ? expression_.read_operand(scan) : 0;
   if (lines().call_depth() == 0) {
-    throw ReadFault{"flow-pair", scan.column(), "return or endsub outside a subprogram",
-                    "it is skipped; a subprogram is written between sub and endsub"};
+    throw ReadFault{"flow-pair", scan.column(), NC_("core", "return or endsub outside a subprogram"),
+                    NC_("core", "it is skipped; a subprogram is written between sub and endsub")};
   }
   report_rest(scan);
   calls_.leave();
@@ -235,8 +236,8 @@ void Flow::report_nested_subs(const Statement& statement) const {
     DiagnosticLog::Place there = lines().place(0);
     there.line = inner;
     machining_.log.add(Severity::error, "flow-pair", 1, there, [&] {
-      return Text{fmt::format("a sub inside the sub of line {}", statement.line),
-                  "LinuxCNC rejects the program; write one subprogram after the other"};
+      return Text{message(NC_("core", "a sub inside the sub of line {}"), statement.line),
+                  NC_("core", "LinuxCNC rejects the program; write one subprogram after the other")};
     });
   }
 }
@@ -301,12 +302,12 @@ bool Flow::condition(Scanner& scan) {
   }
 }
 
-const FlowIndex::Statement& Flow::paired_statement(std::string_view written, std::string_view missing,
+const FlowIndex::Statement& Flow::paired_statement(std::string_view written, const Message& missing,
                                                    std::uint32_t column) {
   const Statement* const found = index().at(lines().line());
   if (found == nullptr || !is_paired(*found)) {
-    throw ReadFault{"flow-pair", column, fmt::format("{} has no {}", in_quotes(written), missing),
-                    "it is skipped; check the labels"};
+    throw ReadFault{"flow-pair", column, message(NC_("core", "{} has no {}"), in_quotes(written), missing),
+                    NC_("core", "it is skipped; check the labels")};
   }
   return *found;
 }
@@ -367,7 +368,8 @@ bool Flow::run_output(Scanner& scan) {
     if (scan.take_name(name)) {
       skip_rest(scan);
       report(Severity::info, "output-statement", 0, column, [&] {
-        return Text{fmt::format("{} writes to a device", name), "it does not change the path"};
+        return Text{message(NC_("core", "{} writes to a device"), name),
+                    NC_("core", "it does not change the path")};
       });
       return true;
     }
@@ -399,13 +401,13 @@ void Flow::run_macro_if(Scanner& scan) {
   const std::uint32_t column = scan.column();
   const bool then = take_macro_word(scan, "THEN");
   if (then && scan.at_end()) {
-    begin_branch(holds, paired_statement("IF", "ENDIF", column));
+    begin_branch(holds, paired_statement("IF", Message::as_written("ENDIF"), column));
     return;
   }
   const bool go = take_macro_word(scan, "GOTO");
   if (!then && !go) {
-    throw ReadFault{"expression", scan.column(), "GOTO or THEN is missing after the condition",
-                    "the line is skipped; complete it"};
+    throw ReadFault{"expression", scan.column(), NC_("core", "GOTO or THEN is missing after the condition"),
+                    NC_("core", "the line is skipped; complete it")};
   }
   if (holds) {
     go ? go_to(scan) : run_words_(scan);
@@ -421,8 +423,8 @@ void Flow::go_to(Scanner& scan) {
   const std::uint32_t target =
       valid ? index().block(static_cast<std::uint32_t>(number), lines().line() + 1) : 0;
   if (target == 0) {
-    throw ReadFault{"jump-target", column, fmt::format("jump target N{} does not exist", number),
-                    "the jump is skipped; correct the number"};
+    throw ReadFault{"jump-target", column, message(NC_("core", "jump target N{} does not exist"), number),
+                    NC_("core", "the jump is skipped; correct the number")};
   }
   lines().jump_to(target);
 }

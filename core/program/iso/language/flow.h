@@ -52,7 +52,7 @@ class Flow : private Part {
   void report_nested_subs(const Statement& statement) const;
   /// Statement of the current line, as `written` in column `column`. Throws ReadFault if its counterpart is
   /// `missing`.
-  const Statement& paired_statement(std::string_view written, std::string_view missing, std::uint32_t column);
+  const Statement& paired_statement(std::string_view written, const Message& missing, std::uint32_t column);
   void begin_branch(bool holds, const Statement& statement);
   void begin_loop(bool holds, const Statement& statement);
   void begin_repeat(Scanner& scan, const Statement& statement);

@@ -61,8 +61,8 @@ struct GCode {
   GGroup group = GGroup::none;
   GAction action = GAction::accept;
   Severity severity = Severity::info;  ///< of the report, where there is one
-  std::string_view subject;            ///< its meaning; empty: nothing to report
-  std::string_view effect;             ///< effect on the path shown
+  Translatable subject;                ///< its meaning; empty: nothing to report
+  Translatable effect;                 ///< effect on the path shown
   bool needs_axes = false;             ///< harmless in a block without X, Y and Z
 };
 

@@ -30,8 +30,8 @@ void ModalWords::apply_g(const Block& block, const Word& word) {
   if (code == nullptr) {
     words_.other_codes = true;
     report(Severity::error, "unknown-g", number, word.column, [&] {
-      return Text{fmt::format("{} is not a known G word", in_quotes(block.text_of(word))),
-                  "it is ignored; the control may run another path"};
+      return Text{message(NC_("core", "{} is not a known G word"), in_quotes(block.text_of(word))),
+                  NC_("core", "it is ignored; the control may run another path")};
     });
     return;
   }
@@ -57,8 +57,8 @@ void ModalWords::apply_g(const Block& block, const Word& word) {
                         machining_.other_axes.turns();
   if (!code->subject.empty() && !followed) {
     report(code->severity, "unread-g", number, word.column, [&] {
-      return Text{fmt::format("{} ({}) is not supported", g_name(number), code->subject),
-                  std::string(code->effect)};
+      return Text{message(NC_("core", "{} ({}) is not supported"), g_name(number), code->subject),
+                  code->effect};
     });
   }
   apply(*code, word);
@@ -78,9 +78,9 @@ void ModalWords::check_group(const GCode& code, const Word& word) {
   const GCode*& present = words_.groups[static_cast<std::size_t>(code.group)];
   if (present != nullptr && present != &code) {
     report(Severity::error, "conflicting-g", code.number, word.column, [&] {
-      return Text{fmt::format("{} and {} exclude each other in one block", g_name(present->number),
-                              g_name(code.number)),
-                  fmt::format("{} is used; remove the other", g_name(code.number))};
+      return Text{message(NC_("core", "{} and {} exclude each other in one block"), g_name(present->number),
+                          g_name(code.number)),
+                  message(NC_("core", "{} is used; remove the other"), g_name(code.number))};
     });
   }
   present = &code;
@@ -175,8 +175,9 @@ void ModalWords::add_function(int code, std::uint32_t column) {
     words_.functions[words_.function_count++] = {code, column};
   } else {
     report(Severity::error, "too-many-g", 0, column, [&] {
-      return Text{fmt::format("{} exceeds the 8 G words of coordinates that a block can have", g_name(code)),
-                  "it is skipped; write it in a block of its own"};
+      return Text{
+          message(NC_("core", "{} exceeds the 8 G words of coordinates that a block can have"), g_name(code)),
+          NC_("core", "it is skipped; write it in a block of its own")};
     });
   }
 }
@@ -253,11 +254,13 @@ void ModalWords::switch_kinematics(int number, std::uint32_t column) {
   report(Severity::info, "rotary-feed", number, column, [&] {
     return Text{
         modal_.tip_kinematics
-            ? "M428 is read as in LinuxCNC's own five-axis configurations: X, Y and Z are the tool's tip"
-            : fmt::format("M{} is read as in LinuxCNC's own five-axis configurations: X, Y and Z are "
-                          "those of the machine",
-                          number),
-        "a configuration may remap it otherwise"};
+            ? NC_("core",
+                  "M428 is read as in LinuxCNC's own five-axis configurations: X, Y and Z are the tool's tip")
+            : message(NC_("core",
+                          "M{} is read as in LinuxCNC's own five-axis configurations: X, Y and Z are those "
+                          "of the machine"),
+                      number),
+        NC_("core", "a configuration may remap it otherwise")};
   });
 }
 
@@ -270,10 +273,12 @@ double ModalWords::length_of_feed(const Word& word) const {
   const bool inch = !modal_.inch;
   report(Severity::warning, "feed-value", 1, word.column, [&] {
     return Text{
-        fmt::format("F{} is in {}/min: LinuxCNC sets the feed before {} of the same block changes the unit",
-                    word.value, inch ? "inch" : "mm", inch ? "G21" : "G20"),
-        fmt::format("write {} in a block before it, or give --unit {} if the control starts so",
-                    inch ? "G21" : "G20", inch ? "mm" : "inch")};
+        message(NC_("core",
+                    "F{} is in {}/min: LinuxCNC sets the feed before {} of the same block changes the unit"),
+                word.value, inch ? Message(NC_("core", "inch")) : Message::as_written("mm"),
+                std::string_view(inch ? "G21" : "G20")),
+        message(NC_("core", "write {} in a block before it, or give --unit {} if the control starts so"),
+                std::string_view(inch ? "G21" : "G20"), std::string_view(inch ? "mm" : "inch"))};
   });
   return inch ? units::from_inch(word.value) : word.value;
 }
@@ -289,9 +294,10 @@ void ModalWords::apply_feed() {
   const Word& word = words_['F'];
   if (!(word.value > 0)) {
     report(Severity::error, "feed-value", 0, word.column, [&] {
-      return Text{fmt::format("feed F{} is not above zero", word.value),
-                  path().feed() > 0 ? "the last valid feed stays in force; write a feed above zero"
-                                    : "feed moves run as fast as the axes allow; write a feed above zero"};
+      return Text{message(NC_("core", "feed F{} is not above zero"), word.value),
+                  path().feed() > 0
+                      ? NC_("core", "the last valid feed stays in force; write a feed above zero")
+                      : NC_("core", "feed moves run as fast as the axes allow; write a feed above zero")};
     });
     return;
   }

@@ -1,7 +1,5 @@
 #include "core/program/iso/language/statements.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -46,8 +44,8 @@ std::string_view Statements::without_comments(const Block& line) {
       const std::optional<std::size_t> end = ends.find(line.text, at);
       if (!end) {
         report(Severity::error, "unclosed-comment", 0, static_cast<std::uint32_t>(at + 1), [&] {
-          return Text{fmt::format("the comment {} is not closed", in_quotes(line.text.substr(at))),
-                      "the rest of the line is used as the comment; add the closing bracket"};
+          return Text{message(NC_("core", "the comment {} is not closed"), in_quotes(line.text.substr(at))),
+                      NC_("core", "the rest of the line is used as the comment; add the closing bracket")};
         });
       }
       const std::size_t stop = end.value_or(line.text.size());
@@ -93,15 +91,16 @@ void Statements::read_word(Scanner& scan) {
   const char letter = letters::to_upper(scan.peek());
   const bool polar = (letter == '@' || letter == '^') && is_linuxcnc();
   if (!letters::is_letter(letter) && !polar) {
-    throw ReadFault{"unknown-character", column,
-                    fmt::format("{} does not start a word", in_quotes({&letter, 1})),
-                    "the rest of the line is skipped and the block does not move; remove the character"};
+    throw ReadFault{
+        "unknown-character", column,
+        message(NC_("core", "{} does not start a word"), in_quotes({&letter, 1})),
+        NC_("core", "the rest of the line is skipped and the block does not move; remove the character")};
   }
   if (const std::string_view name = foreign_name(scan); !name.empty()) {
     throw ReadFault{
         "unread-statement", column,
-        fmt::format("{} is not a word of ISO programs", in_quotes(block_.text.substr(column - 1))),
-        "the block does not move; if the program has another dialect, give it with --dialect"};
+        message(NC_("core", "{} is not a word of ISO programs"), in_quotes(block_.text.substr(column - 1))),
+        NC_("core", "the block does not move; if the program has another dialect, give it with --dialect")};
   }
   scan.take(letter);
   expression_.set_rounding_step(axis_words.find(letter) == std::string_view::npos ? 1
@@ -119,8 +118,8 @@ void Statements::read_word(Scanner& scan) {
   }
   if (!(std::abs(word.value) <= value_limit)) {
     throw ReadFault{"number-range", column,
-                    fmt::format("{}{} is above the largest number, 1000000000", letter, word.value),
-                    "the block does not move; check the values that go into it"};
+                    message(NC_("core", "{}{} is above the largest number, 1000000000"), letter, word.value),
+                    NC_("core", "the block does not move; check the values that go into it")};
   }
   block_.words.push_back(word);
 }
@@ -149,7 +148,8 @@ void Statements::read_assignment(Scanner& scan) {
   }
   const std::uint32_t column = scan.column();
   if (!scan.take('=')) {
-    throw ReadFault{"expression", column, "\"=\" is missing after the variable", "write its value"};
+    throw ReadFault{"expression", column, NC_("core", "\"=\" is missing after the variable"),
+                    NC_("core", "write its value")};
   }
   assignment.value = expression_.read(scan);
   if (is_linuxcnc()) {

@@ -1,7 +1,5 @@
 #include "core/program/iso/language/system_variables.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
@@ -96,8 +94,8 @@ void SystemVariables::set(std::uint32_t number, double value, std::uint32_t colu
   } else if (offset && !is_linuxcnc()) {
     coordinates_.set_offset_coordinate(offset->key, offset->axis, modal_.to_mm(is_null(value) ? 0 : value));
   } else if (number == 0 || offset || built_in(number)) {
-    throw ReadFault{"variable", column, fmt::format("#{} is read-only", number),
-                    "the assignment is skipped; use another variable"};
+    throw ReadFault{"variable", column, message(NC_("core", "#{} is read-only"), number),
+                    NC_("core", "the assignment is skipped; use another variable")};
   } else {
     variables_.set(number, value);
   }
@@ -222,16 +220,16 @@ double SystemVariables::unset(std::uint32_t number, std::uint32_t column) const 
   const bool of_control = linuxcnc ? number > 5000 : number >= first_of_control;
   if (of_control) {
     report(Severity::warning, "control-variable", 0, column, [&] {
-      return Text{fmt::format("#{} is a control-internal value", number),
-                  "0 is used; the control may run another path"};
+      return Text{message(NC_("core", "#{} is a control-internal value"), number),
+                  NC_("core", "0 is used; the control may run another path")};
     });
     return 0;
   }
   const bool kept = !variables_.is_local(number) && number > 0 && (linuxcnc || number >= first_kept);
   if (kept) {
     report(Severity::warning, "unset-variable", 0, column, [&] {
-      return Text{fmt::format("#{} has not been set by the program", number),
-                  "0 is used; on the control it keeps its last value"};
+      return Text{message(NC_("core", "#{} has not been set by the program"), number),
+                  NC_("core", "0 is used; on the control it keeps its last value")};
     });
   }
   return linuxcnc ? 0 : null_value();
@@ -244,8 +242,8 @@ double SystemVariables::named(const std::string& name, std::uint32_t column) {
   if (const std::optional<double> value = built_in(name)) {
     return *value;
   }
-  throw ReadFault{"unset-variable", column, fmt::format("#<{}> has not been set", name),
-                  "the block does not move; set it before, or check how the name is written"};
+  throw ReadFault{"unset-variable", column, message(NC_("core", "#<{}> has not been set"), name),
+                  NC_("core", "the block does not move; set it before, or check how the name is written")};
 }
 
 bool SystemVariables::has_name(const std::string& name) const {
@@ -254,8 +252,8 @@ bool SystemVariables::has_name(const std::string& name) const {
 
 void SystemVariables::raise_alarm(double number, std::uint32_t column) const {
   report(Severity::error, "alarm", 0, column, [&] {
-    return Text{fmt::format("the program raises alarm {}", number),
-                "the control stops here; check the condition that leads to it"};
+    return Text{message(NC_("core", "the program raises alarm {}"), number),
+                NC_("core", "the control stops here; check the condition that leads to it")};
   });
   lines().end_program();
 }

@@ -1,7 +1,5 @@
 #include "core/program/iso/language/word_checks.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace feedscope::iso {
@@ -27,7 +25,8 @@ void WordChecks::orient_tool() {
       column = column == 0 ? words_[letter].column : column;
     }
   }
-  const std::optional<Vec3> tool = machining_.tool_direction(direction, "I, J and K", "K1", column);
+  const std::optional<Vec3> tool =
+      machining_.tool_direction(direction, NC_("core", "I, J and K"), "K1", column);
   if (!tool) {
     return;
   }
@@ -79,11 +78,12 @@ void WordChecks::check_unused() const {
   const bool extrudes_alone = !words_.has_any("XYZ") && modal_.motion != MotionMode::none;
   if (words_.has('E') && extrudes_alone) {
     report(Severity::info, "unused-word", 'E' + 1000, words_['E'].column, [] {
-      return Text{"a move of the extruder alone (E) takes time", "only the model klipper counts it"};
+      return Text{NC_("core", "a move of the extruder alone (E) takes time"),
+                  NC_("core", "only the model klipper counts it")};
     });
   } else if (words_.has('E')) {
     report(Severity::info, "unused-word", 'E', words_['E'].column, [] {
-      return Text{"E (extruder) is not supported", "it does not change the path"};
+      return Text{NC_("core", "E (extruder) is not supported"), NC_("core", "it does not change the path")};
     });
   }
   const std::string_view unused = is_arc ? "LQ" : modal_.tool_vectors ? "RPLQ" : "IJKRPLQ";
@@ -93,8 +93,9 @@ void WordChecks::check_unused() const {
   for (const char letter : unused) {
     if (words_.has(letter)) {
       report(Severity::warning, "unused-word", letter, words_[letter].column, [&] {
-        return Text{fmt::format("{}{} has no meaning in this block", letter, words_[letter].value),
-                    is_arc ? "it is skipped" : "it is ignored; check whether G2 or G3 is missing"};
+        return Text{message(NC_("core", "{}{} has no meaning in this block"), letter, words_[letter].value),
+                    is_arc ? NC_("core", "it is skipped")
+                           : NC_("core", "it is ignored; check whether G2 or G3 is missing")};
       });
     }
   }

@@ -1,7 +1,5 @@
 #include "core/program/sinumerik/cycles/cycles.h"
 
-#include <fmt/format.h>
-
 #include <charconv>
 #include <cmath>
 #include <vector>
@@ -76,8 +74,9 @@ void Cycles::check_depth(int number, const SubprogramCall& call) const {
     return;
   }
   report(Severity::error, "hole-depth", number, call.column, [&] {
-    return Text{fmt::format("the depth of CYCLE{} at the tool's diameter or shank is not supported", number),
-                "it is used as the depth of the tip"};
+    return Text{
+        message(NC_("core", "the depth of CYCLE{} at the tool's diameter or shank is not supported"), number),
+        NC_("core", "it is used as the depth of the tip")};
   });
 }
 
@@ -105,8 +104,8 @@ void Cycles::hole_pattern(const SubprogramCall& call, const SubprogramCall* moda
   const double count = number_at(call.arguments, 5);
   if (!(count >= 1 && count <= max_holes)) {
     report(Severity::error, "hole-count", 0, call.column, [&] {
-      return Text{fmt::format("{} is not a number of holes from 1 to {}", count, max_holes),
-                  "the holes are skipped; correct the number"};
+      return Text{message(NC_("core", "{} is not a number of holes from 1 to {}"), count, max_holes),
+                  NC_("core", "the holes are skipped; correct the number")};
     });
     return;
   }
@@ -122,8 +121,8 @@ void Cycles::hole_pattern(const SubprogramCall& call, const SubprogramCall* moda
       run(*modal, modal);
     } else if (modal != nullptr) {
       report(Severity::error, "unread-cycle", 0, call.column, [&] {
-        return Text{fmt::format("subprogram {} at a pattern of holes is not supported", modal->name),
-                    "its motion is skipped; call it after single positions"};
+        return Text{message(NC_("core", "subprogram {} at a pattern of holes is not supported"), modal->name),
+                    NC_("core", "its motion is skipped; call it after single positions")};
       });
     }
   }
@@ -136,8 +135,9 @@ void Cycles::high_speed_settings(const SubprogramCall& call) {
   constexpr double max_code = 1e8;
   if (!(tolerance >= 0 && code >= 0 && code < max_code)) {
     report(Severity::error, "path-value", 0, call.column, [&] {
-      return Text{fmt::format("CYCLE832 with tolerance {} and code {} is out of range", tolerance, code),
-                  "it is ignored; write a tolerance of zero or more and a code from 0 to 99999999"};
+      return Text{
+          message(NC_("core", "CYCLE832 with tolerance {} and code {} is out of range"), tolerance, code),
+          NC_("core", "it is ignored; write a tolerance of zero or more and a code from 0 to 99999999")};
     });
     return;
   }
@@ -145,15 +145,18 @@ void Cycles::high_speed_settings(const SubprogramCall& call) {
   if (tolerance > 0 && digits % 10 == 0) {
     report(Severity::warning, "path-value", 1, call.column, [&] {
       return Text{
-          fmt::format("CYCLE832 with tolerance {} and machining type 0 switches its settings off", tolerance),
-          "write the type as the second value: 1 finishing, 2 semi-finishing, 3 roughing"};
+          message(NC_("core", "CYCLE832 with tolerance {} and machining type 0 switches its settings off"),
+                  tolerance),
+          NC_("core", "write the type as the second value: 1 finishing, 2 semi-finishing, 3 roughing")};
     });
   }
   if (digits % 10 != 0) {
     report(Severity::info, "machining-mode", 0, call.column, [&] {
       return Text{
-          fmt::format("machining type {} of CYCLE832 changes nothing in the simulation", digits % 10),
-          "its parameters exist only in the control; set acceleration and jerk of the machine instead"};
+          message(NC_("core", "machining type {} of CYCLE832 changes nothing in the simulation"),
+                  digits % 10),
+          NC_("core",
+              "its parameters exist only in the control; set acceleration and jerk of the machine instead")};
     });
   }
   std::optional<double> orientation;
@@ -181,8 +184,9 @@ void Cycles::swivel(const SubprogramCall& call) {
   }
   if (!angles.isZero() && !turns) {
     report(Severity::error, "swivel", 0, call.column, [&] {
-      return Text{fmt::format("CYCLE800 with mode {} is not supported", mode),
-                  "the plane is shown without rotation; program angles about one axis after the other"};
+      return Text{
+          message(NC_("core", "CYCLE800 with mode {} is not supported"), mode),
+          NC_("core", "the plane is shown without rotation; program angles about one axis after the other")};
     });
     return;
   }
@@ -214,8 +218,8 @@ void Cycles::retract(const SubprogramCall& call) {
     path().rapid(target);
   } else if (kind != 0) {
     report(Severity::warning, "swivel-retract", 0, call.column, [&] {
-      return Text{fmt::format("the tool retracts before the axes turn (_FR {} of CYCLE800)", kind),
-                  "where to, the machine's data says: this motion is neither drawn nor timed"};
+      return Text{message(NC_("core", "the tool retracts before the axes turn (_FR {} of CYCLE800)"), kind),
+                  NC_("core", "where to, the machine's data says: this motion is neither drawn nor timed")};
     });
   }
 }
@@ -234,8 +238,8 @@ void Cycles::turn_tool(const SubprogramCall& call) {
   }
   if (side == missing && machining_.other_axes.turns()) {
     report(Severity::info, "rotary-position", 0, call.column, [] {
-      return Text{"CYCLE800 says no direction (_DIR) of the rotary axes",
-                  "they turn the shortest way to the plane"};
+      return Text{NC_("core", "CYCLE800 says no direction (_DIR) of the rotary axes"),
+                  NC_("core", "they turn the shortest way to the plane")};
     });
   }
   machining_.other_axes.turn_tool(path().frame().turned(Vec3::UnitZ()), side == missing ? 0

@@ -1,7 +1,5 @@
 #include "core/program/sinumerik/geometry/arcs.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -66,8 +64,8 @@ double Arcs::extra_turns() const {
     return turns.value;
   }
   report(Severity::error, "arc-turns", 0, turns.column, [&] {
-    return Text{fmt::format("TURN={} is not a number of turns from 0 to {}", turns.value, max_turns),
-                "no extra turn is used"};
+    return Text{message(NC_("core", "TURN={} is not a number of turns from 0 to {}"), turns.value, max_turns),
+                NC_("core", "no extra turn is used")};
   });
   return 0;
 }
@@ -78,8 +76,8 @@ void Arcs::plain_arc(const Vec3& target, ArcRequest& request) {
   if (words_.has(Address::cr)) {
     if (has_center) {
       report(Severity::error, "arc-center", 1, words_.first_column("IJK"), [] {
-        return Text{"the arc has both a centre (I, J, K) and a radius (CR)",
-                    "CR is used; remove one of them"};
+        return Text{NC_("core", "the arc has both a centre (I, J, K) and a radius (CR)"),
+                    NC_("core", "CR is used; remove one of them")};
       });
     }
     request.radius = to_mm(words_[Address::cr].value);
@@ -89,7 +87,7 @@ void Arcs::plain_arc(const Vec3& target, ArcRequest& request) {
   }
   if (!has_center && !words_.is_polar()) {
     report(Severity::error, "arc-center", 0, words_.first_column("XYZ"), [] {
-      return Text{"the arc has neither a centre (I, J, K) nor a radius (CR)", std::string(straight_instead)};
+      return Text{NC_("core", "the arc has neither a centre (I, J, K) nor a radius (CR)"), straight_instead};
     });
     straight(target);
     return;
@@ -106,8 +104,8 @@ void Arcs::angle_arc(const Vec3& target, ArcRequest& request) {
   const double angle = units::from_deg(word.value);
   if (!(word.value > 0 && word.value < 360)) {
     report(Severity::error, "arc-angle", 0, word.column, [&] {
-      return Text{fmt::format("opening angle AR={} is not between 0 and 360 degrees", word.value),
-                  std::string(straight_instead)};
+      return Text{message(NC_("core", "opening angle AR={} is not between 0 and 360 degrees"), word.value),
+                  straight_instead};
     });
     straight(target);
     return;
@@ -151,8 +149,8 @@ void Arcs::arc_through(const Vec3& target) {
   const Vec3 normal = a.cross(b);
   if (normal.norm() <= straight_share * std::max(a.squaredNorm(), b.squaredNorm())) {
     report(Severity::error, "arc-middle", 0, column, [] {
-      return Text{"start, intermediate point (I1, J1, K1) and end of CIP are on one line",
-                  std::string(straight_instead)};
+      return Text{NC_("core", "start, intermediate point (I1, J1, K1) and end of CIP are on one line"),
+                  straight_instead};
     });
     straight(target);
     return;
@@ -176,7 +174,7 @@ void Arcs::tangent_arc(const Vec3& target) {
   const Vec3 chord = level(target - start);
   if (tangent.norm() <= same_point) {
     report(Severity::error, "arc-tangent", 0, words_.first_column("XYZ"), [] {
-      return Text{"CT without a preceding motion in its plane", std::string(straight_instead)};
+      return Text{NC_("core", "CT without a preceding motion in its plane"), straight_instead};
     });
     straight(target);
     return;

@@ -16,8 +16,8 @@ void Compensation::set_tool_radius(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   const double radius = values_.read(scanner);
   if (!(radius >= 0)) {
-    throw ReadFault{"tool-radius", column, fmt::format("tool radius {} is negative", radius),
-                    "it is ignored; write a radius of zero or more"};
+    throw ReadFault{"tool-radius", column, message(NC_("core", "tool radius {} is negative"), radius),
+                    NC_("core", "it is ignored; write a radius of zero or more")};
   }
   radii_.set(fmt::format("{},{}", tool, edge), to_mm(radius));
 }
@@ -67,11 +67,12 @@ void Compensation::begin(std::uint32_t column) {
 void Compensation::report_radius(const std::string& cutter, std::uint32_t column) const {
   report(Severity::error, "tool-radius", 0, column, [&] {
     const std::string_view side = modes_.side->name;
-    return Text{modes_.tool.empty()
-                    ? fmt::format("{} without a tool: its radius is not known", side)
-                    : fmt::format("{}: the radius of T{} D{} is not known", side, modes_.tool, modes_.edge),
-                fmt::format("the path shown is the programmed contour; {}, or set it with $TC_DP6[T,D]=",
-                            ToolRack::radius_hint(cutter))};
+    return Text{
+        modes_.tool.empty()
+            ? message(NC_("core", "{} without a tool: its radius is not known"), side)
+            : message(NC_("core", "{}: the radius of T{} D{} is not known"), side, modes_.tool, modes_.edge),
+        message(NC_("core", "the path shown is the programmed contour; {}, or set it with $TC_DP6[T,D]="),
+                ToolRack::radius_hint(cutter))};
   });
 }
 

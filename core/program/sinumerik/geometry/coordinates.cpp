@@ -106,7 +106,8 @@ CoordinateFrame Coordinates::scale() const {
   Vec3 factors = values(1);
   if ((factors.array() == 0).any()) {
     report(Severity::error, "scale-factor", 0, functions_.own_column, [] {
-      return Text{"a scale factor is zero", "1 is used; write a factor other than zero"};
+      return Text{NC_("core", "a scale factor is zero"),
+                  NC_("core", "1 is used; write a factor other than zero")};
     });
     factors = (factors.array() == 0).select(1, factors);
   }
@@ -131,8 +132,8 @@ void Coordinates::set_frame() {
     return;
   }
   report(Severity::error, "frame-range", 0, functions_.own_column, [] {
-    return Text{"the combined frames are out of range",
-                "all of them are reset; check additive frames in loops"};
+    return Text{NC_("core", "the combined frames are out of range"),
+                NC_("core", "all of them are reset; check additive frames in loops")};
   });
   modes_.frames = {};
   path().set_frame({});
@@ -146,7 +147,7 @@ void Coordinates::select_work_offset(int g, std::uint32_t column) {
   const bool given = found != settable_.end() && (before == 0 || known(before) != settable_.end());
   if (path().has_moved() && before != 0 && before != g && !given) {
     report(Severity::warning, "work-offset", g, column, [&] {
-      return Text{fmt::format("G{} is selected after motion in G{}", g, before),
+      return Text{message(NC_("core", "G{} is selected after motion in G{}"), g, before),
                   missing_offset_hint(fmt::format("G{}", found != settable_.end() ? before : g))};
     });
   }

@@ -1,7 +1,5 @@
 #include "core/program/sinumerik/geometry/corners.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -14,8 +12,8 @@ void Corners::run_modal() {
     modes_.rounding = std::max(0.0, to_mm(radius.value));
     if (radius.value < 0) {
       report(Severity::error, "corner", 2, radius.column, [&] {
-        return Text{fmt::format("RNDM={} is negative", radius.value),
-                    "corners stay sharp; write a radius or 0"};
+        return Text{message(NC_("core", "RNDM={} is negative"), radius.value),
+                    NC_("core", "corners stay sharp; write a radius or 0")};
       });
     }
   }
@@ -41,9 +39,9 @@ void Corners::cut(bool at_line_or_arc) const {
   const std::uint32_t column = cut.modal ? 0 : words_[found->first].column;
   if (cut.size < 0 || !at_line_or_arc) {
     report(Severity::error, "corner", cut.size < 0 ? 2 : 3, column, [&] {
-      return Text{cut.size < 0 ? fmt::format("a rounding or chamfer of {} is negative", cut.size)
-                               : std::string("a rounding or chamfer in a block without a line or arc"),
-                  "the corner stays sharp; write it in the block that ends at the corner"};
+      return Text{cut.size < 0 ? message(NC_("core", "a rounding or chamfer of {} is negative"), cut.size)
+                               : NC_("core", "a rounding or chamfer in a block without a line or arc"),
+                  NC_("core", "the corner stays sharp; write it in the block that ends at the corner")};
     });
     return;
   }

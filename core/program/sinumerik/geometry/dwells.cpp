@@ -1,14 +1,13 @@
 #include "core/program/sinumerik/geometry/dwells.h"
 
-#include <fmt/format.h>
-
 namespace feedscope::sinumerik {
 
 void Dwells::run() {
   const char letter = words_.has('F') ? 'F' : 'S';
   if (!words_.has_any("FS")) {
     report(Severity::error, "dwell-time", 1, functions_.own_column, [] {
-      return Text{"G4 without a time", "the dwell is skipped; write F with seconds or S with revolutions"};
+      return Text{NC_("core", "G4 without a time"),
+                  NC_("core", "the dwell is skipped; write F with seconds or S with revolutions")};
     });
     return;
   }
@@ -18,8 +17,8 @@ void Dwells::run() {
     const double speed = path().spindle_speed();
     if (speed <= 0) {
       report(Severity::error, "dwell-time", 2, word.column, [&] {
-        return Text{fmt::format("a dwell of {} revolutions without a spindle speed", word.value),
-                    "the dwell is skipped; write S in a block before it"};
+        return Text{message(NC_("core", "a dwell of {} revolutions without a spindle speed"), word.value),
+                    NC_("core", "the dwell is skipped; write S in a block before it")};
       });
       return;
     }
@@ -27,7 +26,8 @@ void Dwells::run() {
   }
   if (seconds < 0) {
     report(Severity::error, "dwell-time", 0, word.column, [&] {
-      return Text{fmt::format("dwell time {}{} is negative", letter, word.value), "the dwell is skipped"};
+      return Text{message(NC_("core", "dwell time {}{} is negative"), letter, word.value),
+                  NC_("core", "the dwell is skipped")};
     });
   } else if (seconds > 0) {
     path_modes_.use(false);

@@ -1,7 +1,5 @@
 #include "core/program/sinumerik/geometry/feeds.h"
 
-#include <fmt/format.h>
-
 #include "core/base/units.h"
 
 namespace feedscope::sinumerik {
@@ -42,9 +40,10 @@ void Feeds::run() {
   const BlockWords::Value& word = words_['F'];
   if (!(word.value > 0)) {
     report(Severity::error, "feed-value", 0, word.column, [&] {
-      return Text{fmt::format("feed F{} is not above zero", word.value),
-                  path().feed() > 0 ? "the last valid feed stays in force; write a feed above zero"
-                                    : "feed moves run as fast as the axes allow; write a feed above zero"};
+      return Text{message(NC_("core", "feed F{} is not above zero"), word.value),
+                  path().feed() > 0
+                      ? NC_("core", "the last valid feed stays in force; write a feed above zero")
+                      : NC_("core", "feed moves run as fast as the axes allow; write a feed above zero")};
     });
     return;
   }

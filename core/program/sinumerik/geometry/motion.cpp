@@ -1,7 +1,5 @@
 #include "core/program/sinumerik/geometry/motion.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -29,7 +27,8 @@ bool Motions::run() {
   }
   if (modal_.motion == nullptr) {
     report(Severity::warning, "motion-mode", 0, words_.first_column("XYZ"), [] {
-      return Text{"position words before the first G0, G1, G2 or G3", "G1 is used; write the G word"};
+      return Text{NC_("core", "position words before the first G0, G1, G2 or G3"),
+                  NC_("core", "G1 is used; write the G word")};
     });
     modal_.motion = find_g(1);
   }
@@ -91,8 +90,8 @@ void Motions::check_unused(bool arc) const {
   for (const char letter : {'I', 'J', 'K'}) {
     if (words_.has(letter)) {
       report(Severity::warning, "unused-word", letter, words_[letter].column, [&] {
-        return Text{fmt::format("{}{} has no meaning in this block", letter, words_[letter].value),
-                    "it is ignored; check whether G2 or G3 is missing"};
+        return Text{message(NC_("core", "{}{} has no meaning in this block"), letter, words_[letter].value),
+                    NC_("core", "it is ignored; check whether G2 or G3 is missing")};
       });
     }
   }
@@ -105,8 +104,8 @@ void Motions::thread(const Vec3& target) {
     lead = words_.has(letter) ? std::max(lead, std::abs(to_mm(words_[letter].value))) : lead;
   }
   report(Severity::info, "thread", 0, words_.first_column("XYZ"), [&] {
-    return Text{fmt::format("{} (thread) is shown as a line", modal_.motion->name),
-                "its feed is lead times spindle speed; the run-up of the spindle is not shown"};
+    return Text{message(NC_("core", "{} (thread) is shown as a line"), modal_.motion->name),
+                NC_("core", "its feed is lead times spindle speed; the run-up of the spindle is not shown")};
   });
   const FeedMode mode = path().feed_mode();
   const double feed = path().feed();

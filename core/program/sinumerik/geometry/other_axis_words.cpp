@@ -35,7 +35,7 @@ void OtherAxisWords::go(const std::string& name, const BlockWords::Value& word, 
               : word.reading == Reading::positive ? AxisBlock::Way::positive
               : word.reading == Reading::negative ? AxisBlock::Way::negative
                                                   : AxisBlock::Way::written;
-  machining_.other_axes.move(is_orientation(name) ? "tool orientation" : name, value,
+  machining_.other_axes.move(is_orientation(name) ? orientation_axis : name, value,
                              !cuts       ? AxisMotion::positions
                              : oriented_ ? AxisMotion::at_tip
                                          : AxisMotion::cuts,
@@ -57,7 +57,8 @@ bool OtherAxisWords::orient(bool alone) {
   if (column == 0 || !oriented_ || !machining_.other_axes.turns()) {
     return false;
   }
-  const std::optional<Vec3> tool = machining_.tool_direction(direction, "A3, B3 and C3", "C3=1", column);
+  const std::optional<Vec3> tool =
+      machining_.tool_direction(direction, NC_("core", "A3, B3 and C3"), "C3=1", column);
   if (!tool) {
     return true;
   }

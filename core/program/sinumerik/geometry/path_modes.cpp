@@ -29,13 +29,14 @@ bool PathModes::run(Scanner& scanner, std::string_view name, std::uint32_t colum
     }
     const double value = values_.read(scanner);
     if (known.starts_with("ADIS") && value < 0) {
-      throw ReadFault{"path-value", column, fmt::format("{}={} is negative", known, value),
-                      "write a distance of zero or more; the block does not move"};
+      throw ReadFault{"path-value", column, message(NC_("core", "{}={} is negative"), known, value),
+                      NC_("core", "write a distance of zero or more; the block does not move")};
     }
     if (known == "OTOL") {
       path_words_.set_orientation_tolerance(units::from_deg(value));
     } else {
-      (path_words_.*set)(simulated(to_mm(value), fmt::format("{}={}", known, plain_text(value)), column));
+      (path_words_.*set)(simulated(
+          to_mm(value), Message::as_written(fmt::format("{}={}", known, plain_text(value))), column));
     }
     applied_ = Applied::none;
     return true;
@@ -45,12 +46,13 @@ bool PathModes::run(Scanner& scanner, std::string_view name, std::uint32_t colum
 
 void PathModes::set_cycle(double tolerance, int code, std::optional<double> orientation,
                           std::uint32_t column) {
-  const std::string words = fmt::format("tolerance {} mm of CYCLE832", plain_text(tolerance));
+  const Message words =
+      message(NC_("core", "tolerance {} mm of CYCLE832"), Message::number(plain_text(tolerance)));
   path_words_.set_cycle(simulated(tolerance, words, column), code, orientation);
   applied_ = Applied::none;
 }
 
-double PathModes::simulated(double tolerance, std::string_view words, std::uint32_t column) const {
+double PathModes::simulated(double tolerance, const Message& words, std::uint32_t column) const {
   if (!is_too_small(tolerance)) {
     return tolerance;
   }

@@ -33,7 +33,7 @@ class PathModes : private Part {
   enum class Applied : std::uint8_t { none, feed, rapid };
 
   /// Least tolerance or distance [mm] instead of a smaller one, with a warning about `words`.
-  double simulated(double tolerance, std::string_view words, std::uint32_t column) const;
+  double simulated(double tolerance, const Message& words, std::uint32_t column) const;
 
   Values& values_;
   PathWords path_words_;

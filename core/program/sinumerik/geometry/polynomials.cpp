@@ -1,7 +1,5 @@
 #include "core/program/sinumerik/geometry/polynomials.h"
 
-#include <fmt/format.h>
-
 #include "core/program/path/curve_lines.h"
 #include "core/program/sinumerik/geometry/coordinate_value.h"
 #include "core/program/text/message.h"
@@ -34,9 +32,10 @@ void Polynomials::read(Scanner& scanner) {
   require(scanner, '=');
   if (axis.size() != 1 || letter < 'X' || letter > 'Z') {
     report(Severity::error, "polynomial", 0, column, [&] {
-      return Text{axis.empty() ? "a denominator of polynomials is not supported"
-                               : fmt::format("a polynomial of axis {} is not supported", in_quotes(axis)),
-                  "X, Y and Z are shown without it"};
+      return Text{axis.empty()
+                      ? NC_("core", "a denominator of polynomials is not supported")
+                      : message(NC_("core", "a polynomial of axis {} is not supported"), in_quotes(axis)),
+                  NC_("core", "X, Y and Z are shown without it")};
     });
     if (scanner.peek() == '(') {
       skip_brackets(scanner);
@@ -50,8 +49,9 @@ void Polynomials::read(Scanner& scanner) {
   words_.set(letter, read_coordinate(values_, scanner, column));
   for (std::size_t i = 0; list && scanner.take(','); ++i) {
     if (i >= word.coefficients.size()) {
-      throw ReadFault{"polynomial", scanner.column(), "a polynomial has more than 5 coefficients",
-                      "the block does not move; write a polynomial of degree 5 or less"};
+      throw ReadFault{"polynomial", scanner.column(),
+                      NC_("core", "a polynomial has more than 5 coefficients"),
+                      NC_("core", "the block does not move; write a polynomial of degree 5 or less")};
     }
     word.coefficients[i] = to_mm(values_.read_bounded(scanner));
   }

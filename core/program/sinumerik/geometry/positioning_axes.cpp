@@ -1,7 +1,5 @@
 #include "core/program/sinumerik/geometry/positioning_axes.h"
 
-#include <fmt/format.h>
-
 #include "core/base/units.h"
 #include "core/program/sinumerik/geometry/coordinate_value.h"
 #include "core/program/sinumerik/language/names.h"
@@ -84,17 +82,17 @@ void PositioningAxes::move(bool path_moves) {
   }
   if (path_moves) {
     report(Severity::error, "positioning-axis", 0, column, [] {
-      return Text{"positioning axes in a block with a path motion are not supported",
-                  "their motion is skipped; position them in a block of their own"};
+      return Text{NC_("core", "positioning axes in a block with a path motion are not supported"),
+                  NC_("core", "their motion is skipped; position them in a block of their own")};
     });
     return;
   }
   const double feed = count == 1 ? feeds_[last] : 0;
   if (feed <= 0) {
     report(Severity::info, "positioning-axis", 1, column, [&] {
-      return Text{count > 1 ? "positioning axes are shown as a rapid on a straight line"
-                            : "a positioning axis is shown as a rapid",
-                  "each axis moves at its own speed, set by FA or the machine"};
+      return Text{count > 1 ? NC_("core", "positioning axes are shown as a rapid on a straight line")
+                            : NC_("core", "a positioning axis is shown as a rapid"),
+                  NC_("core", "each axis moves at its own speed, set by FA or the machine")};
     });
   }
   for (std::size_t axis = 0; axis < positions_.size(); ++axis) {

@@ -1,7 +1,5 @@
 #include "core/program/sinumerik/geometry/splines.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace feedscope::sinumerik {
@@ -18,7 +16,8 @@ SplinePath::Point Splines::point_of_block(const Vec3& target) const {
   }
   if (!(point.weight > 0)) {
     report(Severity::error, "spline-weight", 0, words_[Address::pw].column, [&] {
-      return Text{fmt::format("weight PW={} is not above zero", point.weight), "1 is used"};
+      return Text{message(NC_("core", "weight PW={} is not above zero"), point.weight),
+                  NC_("core", "1 is used")};
     });
     point.weight = 1;
   }

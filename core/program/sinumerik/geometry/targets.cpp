@@ -1,7 +1,5 @@
 #include "core/program/sinumerik/geometry/targets.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "core/base/units.h"
@@ -51,9 +49,11 @@ double Targets::increment_base(int axis, const Vec3& start) const {
   }
   const char letter = coordinate_names[static_cast<std::size_t>(axis)];
   report(Severity::info, "frame-increment", letter, words_[letter].column, [&] {
-    return Text{fmt::format("an increment of {} after a change of frame also traverses the change, {:.6g} mm",
-                            letter, *kept - start[axis]),
-                "as on controls with setting data 42440 at 1, the default; else program it absolute"};
+    return Text{
+        message(
+            NC_("core", "an increment of {} after a change of frame also traverses the change, {:.6g} mm"),
+            letter, *kept - start[axis]),
+        NC_("core", "as on controls with setting data 42440 at 1, the default; else program it absolute")};
   });
   return *kept;
 }
@@ -144,9 +144,9 @@ void Targets::angle_target(Vec3& target) const {
     report(Severity::error, "line-angle", 0, words_[Address::ang].column, [&] {
       const double degrees = words_[Address::ang].value;
       return Text{has_first == has_second
-                      ? fmt::format("ANG={} needs exactly one coordinate of the plane", degrees)
-                      : fmt::format("a line at ANG={} does not reach the given coordinate", degrees),
-                  "the line ends at the given coordinates; program its end"};
+                      ? message(NC_("core", "ANG={} needs exactly one coordinate of the plane"), degrees)
+                      : message(NC_("core", "a line at ANG={} does not reach the given coordinate"), degrees),
+                  NC_("core", "the line ends at the given coordinates; program its end")};
     });
     return;
   }

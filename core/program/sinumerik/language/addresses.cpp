@@ -1,7 +1,5 @@
 #include "core/program/sinumerik/language/addresses.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <string>
@@ -52,8 +50,8 @@ void Addresses::set(char letter, const BlockWords::Value& value, std::string_vie
   }
   if (words_.has(letter)) {
     report(Severity::error, "duplicate-word", letter, value.column, [&] {
-      return Text{fmt::format("{} is programmed twice in this block", letter),
-                  fmt::format("{} is used; remove the other", in_quotes(written))};
+      return Text{message(NC_("core", "{} is programmed twice in this block"), letter),
+                  message(NC_("core", "{} is used; remove the other"), in_quotes(written))};
     });
   }
   words_.set(letter, value);
@@ -65,8 +63,8 @@ void Addresses::set_call(const BlockWords::Value& value, std::string_view writte
       written.substr(std::min(written.find_first_not_of(" \t", 1), written.size()));
   if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos) {
     report(Severity::error, "subprogram-name", 'L', value.column, [&] {
-      return Text{fmt::format("{} does not name a subprogram", in_quotes(written)),
-                  "write its number with digits only, as in L12; nothing is called"};
+      return Text{message(NC_("core", "{} does not name a subprogram"), in_quotes(written)),
+                  NC_("core", "write its number with digits only, as in L12; nothing is called")};
     });
     return;
   }

@@ -1,7 +1,5 @@
 #include "core/program/sinumerik/language/assignments.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <optional>
 
@@ -49,7 +47,8 @@ void Assignments::set_list(Scanner& scanner, Variable& variable, std::size_t fir
   std::size_t index = first;
   do {
     if (index >= variable.count()) {
-      throw_no_element("the array", scanner.column(), static_cast<double>(index), variable.count());
+      throw_no_element(NC_("core", "\"the array\""), scanner.column(), static_cast<double>(index),
+                       variable.count());
     }
     if (scanner.peek() != ',' && scanner.peek() != ')') {
       set_one(scanner, variable, index);
@@ -102,8 +101,8 @@ LoopCounter Assignments::read_counter(Scanner& scanner) {
   const std::string_view name = scanner.name();
   Variable* const found = values_.variables().find(name);
   if (found == nullptr || found->is_text()) {
-    throw ReadFault{"syntax", column, fmt::format("FOR cannot count with {}", in_quotes(name)),
-                    "use an R parameter or a variable defined by DEF INT"};
+    throw ReadFault{"syntax", column, message(NC_("core", "FOR cannot count with {}"), in_quotes(name)),
+                    NC_("core", "use an R parameter or a variable defined by DEF INT")};
   }
   return {.r = -1, .variable = found, .element = values_.element(scanner, *found, name)};
 }

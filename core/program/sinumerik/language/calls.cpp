@@ -1,7 +1,5 @@
 #include "core/program/sinumerik/language/calls.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
@@ -43,8 +41,8 @@ void Calls::run_ret(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   if (scanner.take('(') && !scanner.take(')')) {
     report(Severity::error, "unread-statement", 0, column, [] {
-      return Text{"RET with a jump target is not supported",
-                  "the program continues after the call; return without a target"};
+      return Text{NC_("core", "RET with a jump target is not supported"),
+                  NC_("core", "the program continues after the call; return without a target")};
     });
     skip_rest(scanner);
   }
@@ -75,7 +73,8 @@ void Calls::call_by_text(Scanner& scanner) {
 
 void Calls::run_isocall(Scanner& scanner) {
   report(Severity::error, "unread-function", kind_of("ISOCALL"), scanner.column(), [] {
-    return Text{"ISOCALL (call of a program in ISO dialect) is not supported", "its motion is skipped"};
+    return Text{NC_("core", "ISOCALL (call of a program in ISO dialect) is not supported"),
+                NC_("core", "its motion is skipped")};
   });
   skip_rest(scanner);
 }
@@ -93,8 +92,9 @@ SubprogramCall Calls::read_call(Scanner& scanner) {
   call.column = scanner.column();
   call.name = std::string(scanner.name());
   if (call.name.empty()) {
-    throw ReadFault{"syntax", call.column, fmt::format("{} is not a subprogram", in_quotes(scanner.rest())),
-                    "write the name of a subprogram"};
+    throw ReadFault{"syntax", call.column,
+                    message(NC_("core", "{} is not a subprogram"), in_quotes(scanner.rest())),
+                    NC_("core", "write the name of a subprogram")};
   }
   if (scanner.peek() == '(') {
     call.arguments = read_arguments(scanner);
@@ -181,10 +181,13 @@ void Calls::run_subprogram(const SubprogramCall& call, std::uint32_t times) {
   const bool cycle = is_cycle(name);
   report(Severity::error, cycle ? MessageCode("unread-cycle") : MessageCode("subprogram-missing"),
          kind_of(name), call.column, [&] {
-           return cycle ? Text{fmt::format("cycle {} is not supported", name), "its motion is skipped"}
-                        : Text{fmt::format("subprogram {} is neither in the program nor a file in its folder",
-                                           feedscope::in_quotes(call.name)),
-                               "its motion is skipped; add it to the program or to its folder"};
+           return cycle
+                      ? Text{message(NC_("core", "cycle {} is not supported"), name),
+                             NC_("core", "its motion is skipped")}
+                      : Text{message(NC_("core",
+                                         "subprogram {} is neither in the program nor a file in its folder"),
+                                     feedscope::in_quotes(call.name)),
+                             NC_("core", "its motion is skipped; add it to the program or to its folder")};
          });
 }
 

@@ -1,7 +1,5 @@
 #include "core/program/sinumerik/language/definitions.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <optional>
 #include <utility>
@@ -58,15 +56,16 @@ void Definitions::run_def(Scanner& scanner) {
   }
   const std::optional<Type> type = take_type(scanner);
   if (!type) {
-    throw ReadFault{"definition", column,
-                    fmt::format("{} is not a supported type", in_quotes(scanner.rest())),
-                    "write REAL, INT, BOOL, CHAR, STRING, AXIS or FRAME; the variables are not defined"};
+    throw ReadFault{
+        "definition", column, message(NC_("core", "{} is not a supported type"), in_quotes(scanner.rest())),
+        NC_("core", "write REAL, INT, BOOL, CHAR, STRING, AXIS or FRAME; the variables are not defined")};
   }
   do {
     const std::uint32_t at = scanner.column();
     const std::string_view name = scanner.name();
     if (name.empty()) {
-      throw ReadFault{"definition", at, "DEF without a name", "write the variable's name after its type"};
+      throw ReadFault{"definition", at, NC_("core", "DEF without a name"),
+                      NC_("core", "write the variable's name after its type")};
     }
     Variable variable = Variable::of(*type, values_.dimensions(scanner));
     if (scanner.take('=')) {
@@ -81,8 +80,8 @@ void Definitions::run_define(Scanner& scanner) {
   const std::string_view name = scanner.name();
   const bool complete = !name.empty() && scanner.take_name("AS") && !scanner.at_end();
   if (!complete) {
-    throw ReadFault{"macro", column, "DEFINE needs a name, AS and words",
-                    "its name is called as a subprogram; write DEFINE NAME AS G0 X5"};
+    throw ReadFault{"macro", column, NC_("core", "DEFINE needs a name, AS and words"),
+                    NC_("core", "its name is called as a subprogram; write DEFINE NAME AS G0 X5")};
   }
   macros_.define(name, scanner.rest());
   skip_rest(scanner);
@@ -113,8 +112,8 @@ void Definitions::run_proc(Scanner& scanner) {
     const std::string_view attribute = scanner.name();
     if (attribute.empty()) {
       throw ReadFault{"syntax", scanner.column(),
-                      fmt::format("{} after PROC is not an attribute", in_quotes(scanner.rest())),
-                      "write the parameters in brackets, then attributes such as SAVE"};
+                      message(NC_("core", "{} after PROC is not an attribute"), in_quotes(scanner.rest())),
+                      NC_("core", "write the parameters in brackets, then attributes such as SAVE")};
     }
     if (letters::same(attribute, "SAVE") && parameters != nullptr) {
       parameters->keeps_modes = true;
@@ -136,8 +135,9 @@ void Definitions::read_parameter(Scanner& scanner, std::size_t position) {
   const std::optional<Type> type = take_type(scanner);
   const std::string_view name = scanner.name();
   if (!type || name.empty()) {
-    throw ReadFault{"definition", column, fmt::format("{} is not a parameter", in_quotes(scanner.rest())),
-                    "write a type and a name"};
+    throw ReadFault{"definition", column,
+                    message(NC_("core", "{} is not a parameter"), in_quotes(scanner.rest())),
+                    NC_("core", "write a type and a name")};
   }
   const Argument* const passed = argument(position);
   Variable variable = parameter_variable(scanner, *type, name, passed);
@@ -158,8 +158,8 @@ void Definitions::read_parameter(Scanner& scanner, std::size_t position) {
   }
   if (!given && calls_.parameters() == nullptr) {
     report(Severity::warning, "unset-parameter", -1, column, [&] {
-      return Text{fmt::format("parameter {} has no value", in_quotes(name)),
-                  "0 is used; call the program with a value"};
+      return Text{message(NC_("core", "parameter {} has no value"), in_quotes(name)),
+                  NC_("core", "0 is used; call the program with a value")};
     });
   }
   values_.variables().define(name, std::move(variable));
@@ -186,9 +186,9 @@ Variable Definitions::parameter_variable(Scanner& scanner, Type type, std::strin
   const Variable& array = *passed->array;
   if (array.is_text() != variable.is_text() || (!open && array.count() != variable.count())) {
     throw ReadFault{"definition", column,
-                    fmt::format("array parameter {} has {} elements, the argument has {}", in_quotes(name),
-                                variable.count(), array.count()),
-                    "pass an array of the same type and size"};
+                    message(NC_("core", "array parameter {} has {} elements, the argument has {}"),
+                            in_quotes(name), variable.count(), array.count()),
+                    NC_("core", "pass an array of the same type and size")};
   }
   variable.size = open ? array.size : variable.size;
   variable.numbers = array.numbers;

@@ -1,7 +1,5 @@
 #include "core/program/sinumerik/language/flow.h"
 
-#include <fmt/format.h>
-
 #include <array>
 
 #include "core/program/language/statement_table.h"
@@ -29,9 +27,9 @@ bool Flow::run(std::string_view name, Scanner& scanner) {
 ProgramIndex::Structure Flow::structure(Scanner& scanner, std::string_view word) {
   const ProgramIndex::Structure found = indexes_.of(lines().text()).structure(lines().line());
   if (found.end == 0) {
-    throw ReadFault{"control-structure", scanner.column(),
-                    fmt::format("{} has no matching start or end", word),
-                    "the line is skipped; check IF, ELSE, ENDIF and the starts and ends of loops"};
+    throw ReadFault{
+        "control-structure", scanner.column(), message(NC_("core", "{} has no matching start or end"), word),
+        NC_("core", "the line is skipped; check IF, ELSE, ENDIF and the starts and ends of loops")};
   }
   return found;
 }
@@ -40,9 +38,10 @@ void Flow::run_if(Scanner& scanner) {
   const bool holds = values_.read(scanner) != 0;
   if (!scanner.at_end()) {
     if (!jumps_.jump_if(scanner, holds)) {
-      throw ReadFault{"syntax", scanner.column(),
-                      fmt::format("{} after a condition is not a jump", in_quotes(scanner.rest())),
-                      "write GOTOF, GOTOB or GOTO with a label, or nothing, after the condition"};
+      throw ReadFault{
+          "syntax", scanner.column(),
+          message(NC_("core", "{} after a condition is not a jump"), in_quotes(scanner.rest())),
+          NC_("core", "write GOTOF, GOTOB or GOTO with a label, or nothing, after the condition")};
     }
     return;
   }
@@ -66,7 +65,8 @@ void Flow::run_for(Scanner& scanner) {
   require(scanner, '=');
   assignments_.set(counter, values_.read(scanner));
   if (!scanner.take_name("TO")) {
-    throw ReadFault{"syntax", scanner.column(), "FOR without TO", "write FOR I=1 TO 10"};
+    throw ReadFault{"syntax", scanner.column(), NC_("core", "FOR without TO"),
+                    NC_("core", "write FOR I=1 TO 10")};
   }
   if (assignments_.get(counter) > values_.read(scanner)) {
     lines().jump_to(all.end + 1);

@@ -1,7 +1,5 @@
 #include "core/program/sinumerik/language/frame_variables.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,11 +23,11 @@ constexpr auto constructors =
                                                                   {"CSCALE", FrameValue::Part::scale},
                                                                   {"CMIRROR", FrameValue::Part::mirror}});
 
-[[noreturn]] void throw_frame(std::uint32_t column, std::string message) {
-  throw ReadFault{
-      "frame-value", column, std::move(message),
-      "the frame does not change; write CTRANS, CROT, CSCALE, CMIRROR with axes and values, joined by "
-      "\":\", or a variable that holds a frame"};
+[[noreturn]] void throw_frame(std::uint32_t column, Message what) {
+  throw ReadFault{"frame-value", column, std::move(what),
+                  NC_("core",
+                      "the frame does not change; write CTRANS, CROT, CSCALE, CMIRROR with axes and values, "
+                      "joined by \":\", or a variable that holds a frame")};
 }
 
 }  // namespace
@@ -69,8 +67,8 @@ int FrameVariables::index(Scanner& scanner) {
   const double number = std::floor(values_.read(scanner) + 0.5);
   if (!(number >= 0 && number < frame_count)) {
     throw ReadFault{"array-index", column,
-                    fmt::format("{} is not a settable frame from 0 to {}", number, frame_count - 1),
-                    "correct the number"};
+                    message(NC_("core", "{} is not a settable frame from 0 to {}"), number, frame_count - 1),
+                    NC_("core", "correct the number")};
   }
   return static_cast<int>(number);
 }
@@ -92,7 +90,8 @@ void FrameVariables::assign(Scanner& scanner, FrameValue& value, bool one_part) 
   require(scanner, '=');
   const double number = values_.read_bounded(scanner);
   if (!part) {
-    throw_frame(column, fmt::format("{} is not a part of a frame (TR, FI, RT, SC, MI)", in_quotes(name)));
+    throw_frame(column,
+                message(NC_("core", "{} is not a part of a frame (TR, FI, RT, SC, MI)"), in_quotes(name)));
   }
   set_part(value, *part, axis, number, column);
 }
@@ -105,12 +104,12 @@ void FrameVariables::set_part(FrameValue& value, FrameValue::Part part, std::str
     return;
   }
   if (part == FrameValue::Part::scale && number == 0) {
-    throw_frame(column, "a scale factor is zero");
+    throw_frame(column, NC_("core", "a scale factor is zero"));
   }
   const bool angle = part == FrameValue::Part::angle;
   const bool length = part == FrameValue::Part::shift || part == FrameValue::Part::fine_shift;
   if (!value.set(part, linear, angle ? units::from_deg(number) : length ? to_mm(number) : number)) {
-    throw_frame(column, "parts of a chain of frames cannot be set");
+    throw_frame(column, NC_("core", "parts of a chain of frames cannot be set"));
   }
   value.set_by_program[static_cast<std::size_t>(linear)] |= part == FrameValue::Part::shift;
 }
@@ -126,7 +125,8 @@ void FrameVariables::set_programmed_part(Scanner& scanner) {
   const double number = to_mm(values_.read_bounded(scanner));
   const bool fine = part == FrameValue::Part::fine_shift;
   if (axis < 0 || !(fine || part == FrameValue::Part::shift)) {
-    throw_frame(column, "in $P_PFRAME only shifts of X, Y and Z (TR, FI) can be set individually");
+    throw_frame(column,
+                NC_("core", "in $P_PFRAME only shifts of X, Y and Z (TR, FI) can be set individually"));
   }
   coordinates_.set_programmed_shift(axis, number, fine);
 }
@@ -157,7 +157,8 @@ FrameValue FrameVariables::operand(Scanner& scanner) {
   const auto constructor = std::find_if(constructors.begin(), constructors.end(),
                                         [&](const auto& entry) { return letters::same(entry.first, name); });
   if (constructor == constructors.end()) {
-    throw_frame(column, fmt::format("{} is not a supported frame", feedscope::in_quotes(std::string(name))));
+    throw_frame(column,
+                message(NC_("core", "{} is not a supported frame"), feedscope::in_quotes(std::string(name))));
   }
   return frame_of_list(scanner, constructor->second);
 }
@@ -177,7 +178,8 @@ FrameValue FrameVariables::system_operand(Scanner& scanner, std::uint32_t column
     require(scanner, ']');
     return coordinates_.settable(number);
   }
-  throw_frame(column, fmt::format("{} is a control-internal value", feedscope::in_quotes("$" + name)));
+  throw_frame(column,
+              message(NC_("core", "{} is a control-internal value"), feedscope::in_quotes("$" + name)));
 }
 
 /// Reads "(X,10,Y,5)"; for a mirror image only the axes.
@@ -189,7 +191,7 @@ FrameValue FrameVariables::frame_of_list(Scanner& scanner, FrameValue::Part part
     const std::uint32_t column = scanner.column();
     const std::string_view axis = scanner.name();
     if (axis.empty()) {
-      throw_frame(column, "an axis is missing here");
+      throw_frame(column, NC_("core", "an axis is missing here"));
     }
     double number = 1;
     if (part != FrameValue::Part::mirror) {
@@ -198,7 +200,7 @@ FrameValue FrameVariables::frame_of_list(Scanner& scanner, FrameValue::Part part
     }
     set_part(value, part, axis, number, column);
     if (!scanner.take(',') && scanner.peek() != ')') {
-      throw_frame(scanner.column(), "\",\" or \")\" is missing here");
+      throw_frame(scanner.column(), NC_("core", "\",\" or \")\" is missing here"));
     }
   }
   return value;
@@ -222,8 +224,9 @@ void FrameVariables::define(Scanner& scanner) {
     const std::uint32_t column = scanner.column();
     const std::string_view name = scanner.name();
     if (name.empty() || scanner.peek() == '[') {
-      throw ReadFault{"definition", column, "DEF FRAME of an array, or without a name, is not supported",
-                      "define frames one by one"};
+      throw ReadFault{"definition", column,
+                      NC_("core", "DEF FRAME of an array, or without a name, is not supported"),
+                      NC_("core", "define frames one by one")};
     }
     variables_[upper_case(name)] = scanner.take('=') ? read(scanner) : FrameValue();
   } while (scanner.take(','));

@@ -91,8 +91,8 @@ struct Function {
   Group group = Group::none;
   Action action = Action::accept;
   Severity severity = Severity::info;  ///< of the report, where there is one
-  std::string_view subject = {};       ///< its meaning; empty: nothing to report
-  std::string_view effect = {};        ///< effect on the path shown
+  Translatable subject = {};           ///< its meaning; empty: nothing to report
+  Translatable effect = {};            ///< effect on the path shown
 };
 
 /// nullptr for an unknown one. G numbers without leading zeros: "G1", "G641".

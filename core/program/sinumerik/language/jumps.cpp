@@ -1,7 +1,5 @@
 #include "core/program/sinumerik/language/jumps.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
@@ -51,12 +49,14 @@ void Jumps::go(const Jump& jump, Scanner& scanner) {
     splines_.finish();
     lines().jump_to(target);
   } else if (jump.must) {
-    throw ReadFault{"unknown-label", column,
-                    fmt::format("label {} does not exist {}", feedscope::in_quotes(to),
-                                jump.forward && jump.backward ? "in the program"
-                                : jump.forward                ? "after this line"
-                                                              : "before this line"),
-                    "the jump is skipped; check the label and the direction of the jump"};
+    throw ReadFault{
+        "unknown-label", column,
+        jump.forward && jump.backward
+            ? message(NC_("core", "label {} does not exist in the program"), feedscope::in_quotes(to))
+        : jump.forward
+            ? message(NC_("core", "label {} does not exist after this line"), feedscope::in_quotes(to))
+            : message(NC_("core", "label {} does not exist before this line"), feedscope::in_quotes(to)),
+        NC_("core", "the jump is skipped; check the label and the direction of the jump")};
   }
 }
 
@@ -67,7 +67,8 @@ std::string Jumps::label(Scanner& scanner) {
   }
   const std::string_view name = scanner.name();
   if (name.empty()) {
-    throw ReadFault{"syntax", column, "a jump without a label", "write the label after GOTOF or GOTOB"};
+    throw ReadFault{"syntax", column, NC_("core", "a jump without a label"),
+                    NC_("core", "write the label after GOTOF or GOTOB")};
   }
   return std::string(name);
 }
@@ -91,13 +92,15 @@ bool Jumps::jump_if(Scanner& scanner, bool holds) {
 void Jumps::run_case(Scanner& scanner) {
   const double value = values_.read(scanner);
   if (!scanner.take_name("OF")) {
-    throw ReadFault{"syntax", scanner.column(), "CASE without OF", "write CASE (R1) OF 1 GOTOF LABEL"};
+    throw ReadFault{"syntax", scanner.column(), NC_("core", "CASE without OF"),
+                    NC_("core", "write CASE (R1) OF 1 GOTOF LABEL")};
   }
   while (!scanner.at_end()) {
     const bool meant = scanner.take_name("DEFAULT") || values_.read(scanner) == value;
     const std::uint32_t column = scanner.column();
     if (!jump_if(scanner, meant)) {
-      throw ReadFault{"syntax", column, "CASE without GOTOF or GOTOB", "write CASE (R1) OF 1 GOTOF LABEL"};
+      throw ReadFault{"syntax", column, NC_("core", "CASE without GOTOF or GOTOB"),
+                      NC_("core", "write CASE (R1) OF 1 GOTOF LABEL")};
     }
   }
 }

@@ -1,7 +1,5 @@
 #include "core/program/sinumerik/language/modal_words.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "core/program/sinumerik/language/names.h"
@@ -14,8 +12,8 @@ void ModalWords::apply_g(double number, std::uint32_t column, std::string_view w
   const Function* const function = find_g(g);
   if (function == nullptr) {
     report(Severity::error, "unknown-g", g, column, [&] {
-      return Text{fmt::format("{} is not a known G word", in_quotes(written)),
-                  "it is ignored; the control may run another path"};
+      return Text{message(NC_("core", "{} is not a known G word"), in_quotes(written)),
+                  NC_("core", "it is ignored; the control may run another path")};
     });
     return;
   }
@@ -40,8 +38,8 @@ void ModalWords::apply(const Function& function, std::uint32_t column) {
   const bool followed = function.name == "TRAORI" && machining_.other_axes.turns();
   if (!function.subject.empty() && !followed) {
     report(function.severity, "unread-function", kind_of(function.name), column, [&] {
-      return Text{fmt::format("{} ({}) is not supported", function.name, function.subject),
-                  std::string(function.effect)};
+      return Text{message(NC_("core", "{} ({}) is not supported"), function.name, function.subject),
+                  function.effect};
     });
   }
   apply_action(function);
@@ -59,8 +57,9 @@ void ModalWords::check_group(const Function& function, std::uint32_t column) {
   const Function*& present = functions_[function.group];
   if (present != nullptr && present != &function) {
     report(Severity::error, "conflicting-g", kind_of(function.name), column, [&] {
-      return Text{fmt::format("{} and {} exclude each other in one block", present->name, function.name),
-                  fmt::format("{} is used; remove the other", function.name)};
+      return Text{
+          message(NC_("core", "{} and {} exclude each other in one block"), present->name, function.name),
+          message(NC_("core", "{} is used; remove the other"), function.name)};
     });
   }
   present = &function;

@@ -1,7 +1,5 @@
 #include "core/program/sinumerik/language/repeats.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -37,8 +35,9 @@ void Repeats::run_part(Scanner& scanner) {
     end = marked;
   }
   if (end < begin) {
-    throw ReadFault{"unknown-label", column, "the part to be repeated does not end after its beginning",
-                    "nothing is repeated; write a second label or ENDLABEL"};
+    throw ReadFault{"unknown-label", column,
+                    NC_("core", "the part to be repeated does not end after its beginning"),
+                    NC_("core", "nothing is repeated; write a second label or ENDLABEL")};
   }
   add(begin, end, scanner);
 }
@@ -57,9 +56,10 @@ std::uint32_t Repeats::label_line(Scanner& scanner, std::uint32_t column) {
   const std::uint32_t before = index.backward(label, line);
   const std::uint32_t found = before > 0 ? before : index.forward(label, line);
   if (found == 0 || found == line) {
-    throw ReadFault{"unknown-label", column,
-                    fmt::format("label {} does not exist in the program", feedscope::in_quotes(label)),
-                    "nothing is repeated; check the label"};
+    throw ReadFault{
+        "unknown-label", column,
+        message(NC_("core", "label {} does not exist in the program"), feedscope::in_quotes(label)),
+        NC_("core", "nothing is repeated; check the label")};
   }
   return found;
 }

@@ -1,7 +1,5 @@
 #include "core/program/sinumerik/language/scanning.h"
 
-#include <fmt/format.h>
-
 #include <cstdint>
 
 #include "core/program/text/read_fault.h"
@@ -11,8 +9,8 @@ namespace feedscope::sinumerik {
 void require(Scanner& scanner, char c) {
   const std::uint32_t column = scanner.column();
   if (!scanner.take(c)) {
-    throw ReadFault{"syntax", column, fmt::format("\"{}\" is missing here", c),
-                    "correct the statement; the block does not move"};
+    throw ReadFault{"syntax", column, message(NC_("core", "\"{}\" is missing here"), c),
+                    NC_("core", "correct the statement; the block does not move")};
   }
 }
 
@@ -30,8 +28,8 @@ void skip_brackets(Scanner& scanner) {
       return;
     }
   }
-  throw ReadFault{"syntax", column, "the bracket is not closed",
-                  "correct the statement; the block does not move"};
+  throw ReadFault{"syntax", column, NC_("core", "the bracket is not closed"),
+                  NC_("core", "correct the statement; the block does not move")};
 }
 
 }  // namespace feedscope::sinumerik

@@ -1,7 +1,5 @@
 #include "core/program/sinumerik/language/statements.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <string>
@@ -19,8 +17,8 @@ namespace {
 [[noreturn]] void throw_unknown(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   throw ReadFault{"syntax", column,
-                  fmt::format("{} does not start a word or statement", in_quotes(scanner.rest())),
-                  "the rest of the line is skipped and the block does not move; correct it"};
+                  message(NC_("core", "{} does not start a word or statement"), in_quotes(scanner.rest())),
+                  NC_("core", "the rest of the line is skipped and the block does not move; correct it")};
 }
 
 }  // namespace
@@ -71,8 +69,9 @@ void Statements::run_system_variable(Scanner& scanner) {
   }
   const bool frame = name.find("FR") != std::string::npos || name == "TC_DP15";
   report(frame ? Severity::error : Severity::info, "system-variable", kind_of(name), column, [&] {
-    return Text{fmt::format("assignment to {} is not supported", feedscope::in_quotes("$" + name)),
-                frame ? "the path is shown without it" : "the path does not change"};
+    return Text{
+        message(NC_("core", "assignment to {} is not supported"), feedscope::in_quotes("$" + name)),
+        frame ? NC_("core", "the path is shown without it") : NC_("core", "the path does not change")};
   });
   parts_.values.skip(scanner);
 }
@@ -154,7 +153,8 @@ bool Statements::run_synchronized(std::string_view name, Scanner& scanner) {
     return false;
   }
   report(Severity::info, "synchronized-action", 0, scanner.column(), [] {
-    return Text{"a synchronized action is not supported", "the path does not change"};
+    return Text{NC_("core", "a synchronized action is not supported"),
+                NC_("core", "the path does not change")};
   });
   skip_rest(scanner);
   return true;
@@ -189,8 +189,8 @@ bool Statements::run_value(std::string_view name, std::uint32_t column, Scanner&
     parts_.other_axes.move(name, read_coordinate(parts_.values, scanner, column));
   } else {
     report(Severity::error, "unknown-name", kind_of(name), column, [&] {
-      return Text{fmt::format("{} is not a known variable, address or axis", in_quotes(name)),
-                  "its value is ignored; define a variable by DEF before it is used"};
+      return Text{message(NC_("core", "{} is not a known variable, address or axis"), in_quotes(name)),
+                  NC_("core", "its value is ignored; define a variable by DEF before it is used")};
     });
     parts_.values.skip(scanner);
   }

@@ -96,11 +96,13 @@ std::optional<double> Values::named(Scanner& scanner) {
   const bool is_function = scanner.peek() == '(';
   scanner.move_to(before);
   if (!is_function) {
-    throw ReadFault{"unknown-name", scanner.column(),
-                    fmt::format("the program does not define {}", feedscope::in_quotes(std::string(name))),
-                    fmt::format("the block does not move; define data of the machine (GUD) at the "
-                                "program's top, \"DEF REAL {}=\"",
-                                name)};
+    throw ReadFault{
+        "unknown-name", scanner.column(),
+        message(NC_("core", "the program does not define {}"), feedscope::in_quotes(std::string(name))),
+        message(NC_("core",
+                    "the block does not move; define data of the machine (GUD) at the program's top, \"DEF "
+                    "REAL {}=\""),
+                name)};
   }
   return std::nullopt;
 }
@@ -134,8 +136,8 @@ std::optional<int> Values::r_number(Scanner& scanner) {
   }
   if (!(number >= 0 && number <= max_r)) {
     throw ReadFault{"array-index", column,
-                    fmt::format("R{} is not an R parameter from R0 to R{}", number, max_r),
-                    "correct the number"};
+                    message(NC_("core", "R{} is not an R parameter from R0 to R{}"), number, max_r),
+                    NC_("core", "correct the number")};
   }
   return static_cast<int>(number);
 }
@@ -144,8 +146,8 @@ double Values::r_value(int number, std::uint32_t column) {
   const std::optional<double> value = variables_.r(number);
   if (!value) {
     warn_("unset-parameter", number, column,
-          {fmt::format("R{} is used before the program sets it", number),
-           "0 is used; the control has a value of its own"});
+          {message(NC_("core", "R{} is used before the program sets it"), number),
+           NC_("core", "0 is used; the control has a value of its own")});
   }
   return value.value_or(0);
 }
@@ -160,9 +162,10 @@ double Values::quoted_number(Scanner& scanner) {
   const auto [stop, status] = std::from_chars(rest.data(), rest.data() + rest.size(), value, base);
   if ((kind != 'H' && kind != 'B') || status != std::errc() || stop == rest.data() + rest.size() ||
       *stop != '\'') {
-    throw ReadFault{"malformed-number", column,
-                    fmt::format("{} has no valid number", in_quotes(scanner.text().substr(column - 1))),
-                    "write 'H1F' or 'B101'"};
+    throw ReadFault{
+        "malformed-number", column,
+        message(NC_("core", "{} has no valid number"), in_quotes(scanner.text().substr(column - 1))),
+        NC_("core", "write 'H1F' or 'B101'")};
   }
   scanner.move_to(static_cast<std::size_t>(stop - scanner.text().data()) + 1);
   return value;
@@ -189,9 +192,10 @@ double Values::system_variable(Scanner& scanner) {
   if (is_timer(name)) {
     return 0;
   }
-  warn_("system-variable", kind_of(name), column,
-        {fmt::format("{} is a control-internal value", feedscope::in_quotes("$" + std::string(name))),
-         "0 is used; the control may run another path"});
+  warn_(
+      "system-variable", kind_of(name), column,
+      {message(NC_("core", "{} is a control-internal value"), feedscope::in_quotes("$" + std::string(name))),
+       NC_("core", "0 is used; the control may run another path")});
   return 0;
 }
 
@@ -210,8 +214,9 @@ std::optional<double> Values::text_comparison(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   const bool equal = scanner.take("==");
   if (!equal && !scanner.take("<>")) {
-    throw ReadFault{"expression", column, fmt::format("text {} is not a number", feedscope::in_quotes(first)),
-                    "compare texts with == or <>"};
+    throw ReadFault{"expression", column,
+                    message(NC_("core", "text {} is not a number"), feedscope::in_quotes(first)),
+                    NC_("core", "compare texts with == or <>")};
   }
   return (first == read_text(scanner)) == equal ? 1 : 0;
 }
@@ -250,8 +255,8 @@ std::optional<double> Values::plain_number(Scanner& scanner) {
 double Values::bounded(double value, std::uint32_t column) {
   if (!(std::abs(value) <= max_value)) {
     throw ReadFault{"number-range", column,
-                    fmt::format("value {} is above the largest number, 1000000000", value),
-                    "the block does not move; correct the expression"};
+                    message(NC_("core", "value {} is above the largest number, 1000000000"), value),
+                    NC_("core", "the block does not move; correct the expression")};
   }
   return value;
 }
@@ -269,7 +274,8 @@ std::string Values::text_operand(Scanner& scanner) {
   if (scanner.take('(')) {
     constexpr int deepest = 100;
     if (text_depth_ >= deepest) {
-      throw ReadFault{"expression", column, "the text is nested more than 100 deep", "remove brackets"};
+      throw ReadFault{"expression", column, NC_("core", "the text is nested more than 100 deep"),
+                      NC_("core", "remove brackets")};
     }
     const Level level(text_depth_);
     std::string text = read_text(scanner);
@@ -280,7 +286,8 @@ std::string Values::text_operand(Scanner& scanner) {
     const std::size_t from = scanner.at() + 1;
     const std::size_t to = scanner.text().find('"', from);
     if (to == std::string_view::npos) {
-      throw ReadFault{"syntax", column, "the text is not closed", "add the closing quotation mark"};
+      throw ReadFault{"syntax", column, NC_("core", "the text is not closed"),
+                      NC_("core", "add the closing quotation mark")};
     }
     scanner.move_to(to + 1);
     return std::string(scanner.text().substr(from, to - from));
@@ -304,9 +311,9 @@ std::array<std::size_t, 3> Values::dimensions(Scanner& scanner) {
     const double number = std::floor(read(scanner) + 0.5);
     if (!(number >= 1 && number * static_cast<double>(count) <= static_cast<double>(max_elements))) {
       throw ReadFault{"array-size", column,
-                      fmt::format("{} is not a number of array elements from 1 to {}",
-                                  number * static_cast<double>(count), max_elements),
-                      "correct the size"};
+                      message(NC_("core", "{} is not a number of array elements from 1 to {}"),
+                              number * static_cast<double>(count), max_elements),
+                      NC_("core", "correct the size")};
     }
     dimension = static_cast<std::size_t>(number);
     count *= dimension;
@@ -328,7 +335,7 @@ std::size_t Values::element(Scanner& scanner, const Variable& variable, std::str
     const std::uint32_t column = scanner.column();
     const double index = given ? std::floor(read(scanner) + 0.5) : 0;
     if (!(index >= 0 && index < static_cast<double>(variable.size[i]))) {
-      throw_no_element(name, column, index, variable.size[i]);
+      throw_no_element(Message::as_written(feedscope::in_quotes(name)), column, index, variable.size[i]);
     }
     flat = flat * variable.size[i] + static_cast<std::size_t>(index);
   }

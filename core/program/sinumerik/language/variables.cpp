@@ -1,7 +1,5 @@
 #include "core/program/sinumerik/language/variables.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "core/program/sinumerik/language/names.h"
@@ -65,11 +63,11 @@ Variable& Variables::define(std::string_view name, Variable variable) {
   return levels_.back().insert_or_assign(upper_case(name), std::move(variable)).first->second;
 }
 
-void throw_no_element(std::string_view name, std::uint32_t column, double index, std::size_t size) {
+void throw_no_element(const Message& name, std::uint32_t column, double index, std::size_t size) {
   throw ReadFault{
       "array-index", column,
-      fmt::format("{} has no element {}, its largest index is {}", in_quotes(name), index, size - 1),
-      "correct the index or the size in DEF"};
+      message(NC_("core", "{} has no element {}, its largest index is {}"), name, index, size - 1),
+      NC_("core", "correct the index or the size in DEF")};
 }
 
 }  // namespace feedscope::sinumerik

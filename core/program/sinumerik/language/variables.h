@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
+
 namespace feedscope::sinumerik {
 
 enum class Type : std::uint8_t { real, integer, boolean, text, axis };
@@ -57,8 +59,7 @@ class Variables {
   std::vector<std::map<std::string, Variable, std::less<>>> levels_;
 };
 
-/// Throws ReadFault "array-index": the array `name` of `size` elements has no element `index`.
-[[noreturn]] void throw_no_element(std::string_view name, std::uint32_t column, double index,
-                                   std::size_t size);
+/// Throws ReadFault "array-index": the array `name`, in quotes, of `size` elements has no element `index`.
+[[noreturn]] void throw_no_element(const Message& name, std::uint32_t column, double index, std::size_t size);
 
 }  // namespace feedscope::sinumerik

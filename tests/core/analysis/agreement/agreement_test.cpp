@@ -279,7 +279,7 @@ TEST(PaceRatio, IsThatOfAWrongRateAlone) {
     const TraceOnProgram found = remarked(trace, run);
     EXPECT_THAT(found.remarks, has_remark("trace-rate", fmt::format("runs at {:.3g} %", period * 1e5)));
     ASSERT_NE(wrong_rate_of(trace, found), nullptr);
-    EXPECT_THAT(wrong_rate_of(trace, found)->hint, HasSubstr("linuxcnc,rate="));
+    EXPECT_THAT(wrong_rate_of(trace, found)->hint.english(), HasSubstr("linuxcnc,rate="));
   }
   const auto none = [&](const std::vector<std::string>& settings) {
     return !pace_ratio(compare(trace_of(run_of(text, settings), 1e-3), run).agreement);
@@ -298,7 +298,7 @@ TEST(FeedShare, AboveOneIsFoundWhereTheTraceExceedsTheFeed) {
   const TraceOnProgram found = remarked(trace, run);
   EXPECT_THAT(found.remarks, has_remark("trace-rate", "runs at 200 % of the programmed feed"));
   ASSERT_NE(wrong_rate_of(trace, found), nullptr);
-  EXPECT_THAT(wrong_rate_of(trace, found)->hint, HasSubstr("rate=500; or set the feed override"));
+  EXPECT_THAT(wrong_rate_of(trace, found)->hint.english(), HasSubstr("rate=500; or set the feed override"));
   const Trace timed = counted(trace_of(run_of(text), 2e-3), 2e-3, TraceClock::times);
   EXPECT_THAT(remarked(timed, run).remarks, has_remark("trace-override", "200 % of it"));
   EXPECT_EQ(wrong_rate_of(timed, remarked(timed, run)), nullptr);

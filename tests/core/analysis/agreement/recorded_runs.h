@@ -41,8 +41,9 @@ inline Trace trace_of(const Run& run, double period, double noise = 0) {
 
 /// Of the remarks on a trace.
 inline auto has_remark(const std::string& code, const std::string& words) {
-  return testing::Contains(testing::AllOf(testing::Field(&Diagnostic::code, code),
-                                          testing::Field(&Diagnostic::message, testing::HasSubstr(words))));
+  return testing::Contains(testing::AllOf(
+      testing::Field(&Diagnostic::code, code),
+      testing::Field(&Diagnostic::message, testing::Property(&Message::english, testing::HasSubstr(words)))));
 }
 
 /// Samples from `begin` to before `end`.

@@ -153,7 +153,7 @@ TEST(FindOnProgram, LinesOfDwellsAreLinesOfTheProgram) {
   EXPECT_GT(std::ranges::count_if(trace.line, [](std::uint32_t line) { return line % 2 == 1; }),
             static_cast<std::ptrdiff_t>(trace.size() / 2));
   for (const Diagnostic& remark : find_on_program(trace, course, 0.02).remarks) {
-    EXPECT_NE(remark.code, "trace-lines") << remark.message;
+    EXPECT_NE(remark.code, "trace-lines") << remark.message.english();
   }
 }
 

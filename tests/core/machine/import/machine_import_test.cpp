@@ -72,7 +72,7 @@ TEST_F(MachineImport, ListsAtMostTwoHundredNotes) {
   }
   const ImportedMachine imported = import(text + "[AXIS_X]\nMAX_VELOCITY = -1\n", "a.ini");
   ASSERT_EQ(imported.notes.size(), 201U);
-  EXPECT_THAT(imported.notes.back().message, HasSubstr("more notes are not listed"));
+  EXPECT_THAT(imported.notes.back().message.english(), HasSubstr("more notes are not listed"));
   EXPECT_EQ(imported.notes.back().severity, Severity::error) << "one of them is an error";
 }
 

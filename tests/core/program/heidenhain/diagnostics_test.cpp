@@ -21,8 +21,8 @@ TEST_P(HeidenhainDiagnostic, SaysPlaceThingAndValue) {
   const Program program = read_heidenhain(GetParam().text);
   std::vector<std::string> said;
   for (const Diagnostic& d : program.diagnostics) {
-    said.push_back(
-        fmt::format("{}:{}: {}: {} [{}]", d.line, d.column, to_string(d.severity), d.message, d.code));
+    said.push_back(fmt::format("{}:{}: {}: {} [{}]", d.line, d.column, to_string(d.severity),
+                               d.message.english(), d.code));
     EXPECT_TRUE(!d.hint.empty() || d.severity == Severity::info);
   }
   EXPECT_THAT(said, testing::Contains(GetParam().said));

@@ -168,7 +168,8 @@ TEST_F(HeidenhainFiles, AProgramOfAnotherDialectIsNotCalled) {
   write("SUB.MPF", "%_N_SUB_MPF\nTRANS X10\nG1 X5 F100\n");
   const Program program = read("MAIN.H");
   ASSERT_EQ(program.diagnostics.size(), 1U);
-  EXPECT_EQ(program.diagnostics[0].message, "program \"SUB.MPF\" is in another dialect, Sinumerik 840D");
+  EXPECT_EQ(program.diagnostics[0].message.english(),
+            "program \"SUB.MPF\" is in another dialect, Sinumerik 840D");
 }
 
 }  // namespace

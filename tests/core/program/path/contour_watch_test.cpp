@@ -112,8 +112,8 @@ TEST(CompensationGouge, AFingerThatPointsAtAWallIsSeen) {
   const std::vector<Diagnostic> found = said(writer.off().line({0, 100, 0}));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].line, 3U);
-  EXPECT_NE(found[0].message.find("cuts 2.0000 mm into the contour of line 6"), std::string::npos)
-      << found[0].message;
+  EXPECT_NE(found[0].message.english().find("cuts 2.0000 mm into the contour of line 6"), std::string::npos)
+      << found[0].message.english();
 }
 
 TEST(CompensationGouge, OfAnotherLevelIsNotSaid) {

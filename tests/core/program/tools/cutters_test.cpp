@@ -66,10 +66,11 @@ class CutterOf : public testing::TestWithParam<Language> {
 TEST_P(CutterOf, NobodyKnowsIsAnErrorThatSaysHowToGiveIt) {
   const Program program = read("");
   ASSERT_NE(find(program, "tool-radius"), nullptr);
-  EXPECT_NE(
-      find(program, "tool-radius")->hint.find("--tool " + CutterRadii::key(GetParam().tool) + "=RADIUS"),
-      std::string::npos)
-      << find(program, "tool-radius")->hint;
+  EXPECT_NE(find(program, "tool-radius")
+                ->hint.english()
+                .find("--tool " + CutterRadii::key(GetParam().tool) + "=RADIUS"),
+            std::string::npos)
+      << find(program, "tool-radius")->hint.english();
   EXPECT_EQ(beside(program), 0);
   ASSERT_EQ(program.cutters.size(), 1U);
   EXPECT_EQ(program.cutters[0].source, CutterSource::unknown);

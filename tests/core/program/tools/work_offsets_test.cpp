@@ -116,7 +116,7 @@ TEST_P(WorkOffsetsOf, NotGivenAreZeroAndAWarningNamesThem) {
     if (diagnostic.code == "work-offset") {
       ++warnings;
       EXPECT_EQ(diagnostic.severity, Severity::warning);
-      EXPECT_NE(diagnostic.hint.find("--offset"), std::string::npos) << diagnostic.hint;
+      EXPECT_NE(diagnostic.hint.english().find("--offset"), std::string::npos) << diagnostic.hint.english();
     }
   }
   EXPECT_EQ(warnings, 1U);

@@ -1,4 +1,4 @@
-#include "ui/language/composed_text.h"
+#include "ui/language/in_language.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 
 #include "core/analysis/agreement/trace_on_program.h"
 #include "core/analysis/notes/not_counted.h"
+#include "core/analysis/notes/refused_lines.h"
 #include "core/analysis/notes/unadvised_tolerance.h"
 #include "core/analysis/notes/unreachable_feed.h"
 #include "core/analysis/run/control_dialect.h"
@@ -20,19 +21,20 @@
 namespace feedscope::ui {
 namespace {
 
-class ComposedText : public testing::Test {
+class InLanguage : public testing::Test {
  protected:
-  ComposedText() { speak(QStringLiteral("fr")); }
-  ~ComposedText() override {
+  InLanguage() { speak(QStringLiteral("fr")); }
+  ~InLanguage() override {
     speak(QStringLiteral("en"));
     QLocale::setDefault(QLocale::c());
   }
 
-  static void expect_french(const std::string& text) {
+  static void expect_french(const Message& message) {
+    const std::string text = message.english();
     static const QRegularExpression english(
         QStringLiteral("\\b(the|of|and|is|are|by|at|within|on|off|limit|times|not|axis|line|lines)\\b"),
         QRegularExpression::UseUnicodePropertiesOption);
-    const QString made = composed_text(text);
+    const QString made = in_language(message);
     QString rest = made;
     for (const char* name : {"jerk=on", "law", "--unit"}) {  // what settings and options are called
       rest.remove(QLatin1String(name));
@@ -45,7 +47,7 @@ class ComposedText : public testing::Test {
 };
 
 /// Off the path, lost, a part, mirrored, in inches, with an axis missing; then of another program.
-TEST_F(ComposedText, SaysInFrenchWhatIsWrongWithATrace) {
+TEST_F(InLanguage, SaysInFrenchWhatIsWrongWithATrace) {
   Toolpath toolpath;
   toolpath.segments.resize(2);
   toolpath.segments[0] = {.end = Vec3(10, 0, 5), .length = 10, .line = 2};
@@ -105,7 +107,7 @@ TEST_F(ComposedText, SaysInFrenchWhatIsWrongWithATrace) {
   }
 }
 
-TEST_F(ComposedText, SaysInFrenchWhatModelsGuarantee) {
+TEST_F(InLanguage, SaysInFrenchWhatModelsGuarantee) {
   for (const ControlModel* model : all_models()) {
     std::vector<std::vector<std::string>> settings{{}};
     if (model->info().id == "ward") {
@@ -123,21 +125,21 @@ TEST_F(ComposedText, SaysInFrenchWhatModelsGuarantee) {
     }
     for (const std::vector<std::string>& set : settings) {
       const feedscope::Setup setup = make_setup({"", model->info().id, std::nullopt, set});
-      for (const std::string& sentence : sentences(model->guarantees(setup.settings))) {
+      for (const Message& sentence : sentences(model->guarantees(setup.settings))) {
         expect_french(sentence);
       }
     }
-    for (const std::string& remark : model->info().remarks) {
+    for (const Message& remark : model->info().remarks) {
       expect_french(remark);
     }
   }
 }
 
-TEST_F(ComposedText, SaysInFrenchThatAFeedIsBeyondTheMachine) {
+TEST_F(InLanguage, SaysInFrenchThatAFeedIsBeyondTheMachine) {
   expect_french(describe(UnreachableFeed{{100, 7}, 50}));
 }
 
-TEST_F(ComposedText, SaysInFrenchWhatIsNotInTheCycleTime) {
+TEST_F(InLanguage, SaysInFrenchWhatIsNotInTheCycleTime) {
   NotCounted counts;
   counts.tool_changes = 2;
   counts.spindle_starts = 1;
@@ -145,12 +147,12 @@ TEST_F(ComposedText, SaysInFrenchWhatIsNotInTheCycleTime) {
   counts.machine_moves = 1;
   counts.other_axes = {"B", "C"};
   EXPECT_EQ(
-      composed_text(describe(counts)).toStdString(),
+      in_language(describe(counts)).toStdString(),
       "2 changements d’outil, 1 démarrage de la broche, 3 arrêts programme (M0, M1), 1 déplacement vers "
       "ou depuis une position machine, mouvement de B, C");
 }
 
-TEST_F(ComposedText, SaysInFrenchHowAProgramControlsThePath) {
+TEST_F(InLanguage, SaysInFrenchHowAProgramControlsThePath) {
   PathControl control;
   expect_french(describe(control));
   control.contour_tolerance = 0.05;
@@ -171,7 +173,7 @@ TEST_F(ComposedText, SaysInFrenchHowAProgramControlsThePath) {
       }
     }
   }
-  EXPECT_TRUE(composed_text(describe(control)).contains(QStringLiteral("tolérance de contour 0,05 mm")));
+  EXPECT_TRUE(in_language(describe(control)).contains(QStringLiteral("tolérance de contour 0,05 mm")));
   for (const auto source :
        {ProgramUnit::Source::program, ProgramUnit::Source::asked, ProgramUnit::Source::assumed}) {
     ProgramUnit unit;
@@ -180,38 +182,41 @@ TEST_F(ComposedText, SaysInFrenchHowAProgramControlsThePath) {
   }
 }
 
-TEST_F(ComposedText, SaysInFrenchThatAControlDoesNotReadTheProgram) {
+TEST_F(InLanguage, SaysInFrenchThatAControlDoesNotReadTheProgram) {
   const feedscope::Setup setup = make_setup({"spinner-mvc850", "essid", std::nullopt, {}});
   for (const Dialect dialect : {Dialect::heidenhain, Dialect::fanuc}) {
     const auto mismatch = control_mismatch(setup.machine, dialect);
     ASSERT_TRUE(mismatch.has_value());
-    const QString text = composed_text(describe(*mismatch));
+    const QString text = in_language(describe(*mismatch));
     EXPECT_TRUE(text.startsWith(QStringLiteral("Le programme est écrit pour "))) << text.toStdString();
     EXPECT_TRUE(text.contains(QStringLiteral("Spinner MVC 850"))) << text.toStdString();
     EXPECT_FALSE(text.contains(QStringLiteral("control "))) << text.toStdString();
   }
 }
 
-TEST_F(ComposedText, LeavesWhatItDoesNotKnow) {
-  for (const char* text : {"", "Arc center and radius do not fit", "N10 to N20, part.nc", "essid, gassara"}) {
-    EXPECT_EQ(composed_text(std::string(text)).toStdString(), text);
+TEST_F(InLanguage, LeavesTextsOfOthersAsTheyAre) {
+  for (const char* text : {"", "Arc center and radius do not fit", "error", "2.5"}) {
+    EXPECT_EQ(in_language(Message::as_written(text)).toStdString(), text);
   }
-  EXPECT_EQ(composed_text(std::string("places 5 to 9, 12 and 18 more")).toStdString(),
-            "places 5 to 9, 12 and 18 more");
-  EXPECT_EQ(
-      composed_text(std::string("3 lines of the program are refused by the control and not run (lines 1, "
-                                "5 to 9 and 18 more)."))
-          .toStdString(),
-      "3 lignes du programme sont refusées par la commande et ne sont pas exécutées (lignes 1, 5 à 9 et "
-      "18 de plus).");
+  EXPECT_EQ(in_language(Message::number("2.5")).toStdString(), "2,5");
 }
 
-TEST_F(ComposedText, EnglishStaysAsItIs) {
+TEST_F(InLanguage, TranslatesMessagesWithinMessages) {
+  std::vector<Diagnostic> refused;
+  for (const std::uint32_t line : {1U, 5U, 6U, 7U, 20U}) {
+    refused.emplace_back().line = line;
+  }
+  EXPECT_EQ(
+      in_language(refused_note(refused)).toStdString(),
+      "5 lignes du programme sont refusées par la commande et ne sont pas exécutées (lignes 1, 5 à 7, 20).");
+}
+
+TEST_F(InLanguage, EnglishStaysAsItIs) {
   speak(QStringLiteral("en"));
   for (const ControlModel* model : all_models()) {
     const feedscope::Setup setup = make_setup({"", model->info().id, std::nullopt, {}});
-    for (const std::string& sentence : sentences(model->guarantees(setup.settings))) {
-      EXPECT_EQ(composed_text(sentence).toStdString(), sentence);
+    for (const Message& sentence : sentences(model->guarantees(setup.settings))) {
+      EXPECT_EQ(in_language(sentence).toStdString(), sentence.english());
     }
   }
 }
