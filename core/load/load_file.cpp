@@ -35,7 +35,7 @@ double number_of(const ConfigNode& table, const char* key, const std::string& wh
                  const NumberBounds& bounds, bool whole = false) {
   const ConfigNode& node = table.need(key, where);
   if (!node.is_number()) {
-    node.fail(message(NC_("core", "{} in {} must be a number"), std::string_view(key), where));
+    node.fail(message(NC_("core", "{} in {} must be a number"), std::string_view(key), table_text(where)));
   }
   SettingSpec spec{
       .key = key,

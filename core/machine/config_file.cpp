@@ -60,13 +60,9 @@ class ConfigBuilder {
   std::shared_ptr<const std::string> file_;
 };
 
-namespace {
-
 Message table_text(const std::string& where) {
-  return where.empty() ? Message(NC_("core", "the file")) : Message::as_written(where);
+  return where == the_file ? Message(NC_("core", "the file")) : Message::as_written(where);
 }
-
-}  // namespace
 
 std::string ConfigNode::place(const Position& position) const {
   return fmt::format("{}:{}:{}", *file_, position.line, position.column);

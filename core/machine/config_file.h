@@ -10,8 +10,10 @@
 
 namespace feedscope {
 
-/// `where` of keys outside every table.
-inline constexpr const char* the_file = "";
+/// `where` of keys outside every table, in English.
+inline constexpr const char* the_file = "the file";
+/// A `where` as part of a message: tables remain as written, the_file is translated.
+Message table_text(const std::string& where);
 
 /// A value of a TOML file with its place, for precise error messages. `where` in the functions below names
 /// the table in messages: "[axes.X]", the_file.
