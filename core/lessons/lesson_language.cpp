@@ -47,6 +47,7 @@ const std::map<std::string, std::string>& french_words() {
       {"does not hold", "non vérifié"},
       {"Answer", "Réponse"},
       {"Before anything is changed: {}.", "Avant toute modification\u00a0: {}."},
+      {"Already shown: {}", "Déjà montré\u00a0: {}"},
       {"Where to look: {}.", "Où regarder\u00a0: {}."},
       {"What limits the feed along the path: {}.",
        "Ce qui limite l’avance le long de la trajectoire\u00a0: {}."},
