@@ -32,6 +32,20 @@ std::string none_keeps_text(std::span<const ComparedRun> runs, std::span<const s
                      short_length(deciding_error(runs[least].summary)), names[least]);
 }
 
+std::string only_text(OnlyChoice why) {
+  switch (why) {
+    case OnlyChoice::within_bound:
+      return "No other run keeps the bound.";
+    case OnlyChoice::within_bound_of_machine:
+      return "No other run with the machine's own model keeps the bound.";
+    case OnlyChoice::of_machine:
+      return "No other run has the machine's own model.";
+    case OnlyChoice::possible:
+      break;
+  }
+  return "No other run can be taken.";
+}
+
 }  // namespace
 
 std::string headline_text(std::span<const ComparedRun> runs, std::span<const std::string> names,
@@ -51,7 +65,7 @@ std::string headline_text(std::span<const ComparedRun> runs, std::span<const std
   const auto text = [&]() -> std::string {
     switch (taken->reason) {
       case Recommendation::Reason::only:
-        return fmt::format("{}: {}, {}. No other run can be taken.", name, time, error_text(run));
+        return fmt::format("{}: {}, {}. {}", name, time, error_text(run), only_text(why_only(runs, within)));
       case Recommendation::Reason::no_difference:
         return fmt::format("{}: {}, {}, the smallest. The others differ by less than 1 %.", name, time,
                            error_text(run));

@@ -82,6 +82,10 @@ Ticks round_ticks_between(double minimum, double maximum, double most, double lo
     if (count > most || std::floor(to / step) - std::ceil(from / step) >= max_values) {
       continue;
     }
+    constexpr double always_two = 5;  // neighbouring steps differ by a factor of at most 2.5
+    if (count < 2 && most >= 2 && most < always_two) {
+      return round_ticks_between(minimum, maximum, always_two, low, high);
+    }
     ticks.step = step;
     ticks.count = count;
     ticks.values = multiples(step, from, to);

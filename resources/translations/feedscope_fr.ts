@@ -250,6 +250,18 @@
         <translation>%1&#xa0;: %2, %3.</translation>
     </message>
     <message>
+        <source>No other run keeps the bound.</source>
+        <translation>Aucune autre simulation ne respecte la borne.</translation>
+    </message>
+    <message>
+        <source>No other run with the machine&apos;s own model keeps the bound.</source>
+        <translation>Aucune autre simulation avec le modèle propre à la machine ne respecte la borne.</translation>
+    </message>
+    <message>
+        <source>No other run has the machine&apos;s own model.</source>
+        <translation>Aucune autre simulation n’a le modèle propre à la machine.</translation>
+    </message>
+    <message>
         <source>No other run can be taken.</source>
         <translation>Aucune autre simulation ne peut être retenue.</translation>
     </message>

@@ -136,6 +136,21 @@ TEST_F(RenderCommand, DrawsThePlacesOfTheReport) {
   expect_wrong_use("corner.nc --place 1 --view charts --out a.png", "--view has no effect with --place");
 }
 
+/// Of two machines the faster one is recommended, and places that are no corners show its run alone.
+TEST_F(RenderCommand, DrawsThePlacesOfTheRecommendedRun) {
+  std::ofstream(folder_ / "line.nc") << "G21 G1 X100 F6000\n";
+  const auto place_on = [&](const std::string& machines) {
+    const Result result = run("line.nc --size 416x290 --place 1 --model essid --out place.png" + machines);
+    EXPECT_EQ(result.code, 0) << machines << result.err;
+    return read_png((folder_ / "place.png").string()).rgb;
+  };
+  const std::string slow = " --machine spinner-mvc850";
+  const std::string fast = " --machine huron-kx10";
+  EXPECT_EQ(place_on(slow + fast), place_on(fast));
+  EXPECT_EQ(place_on(fast + slow), place_on(fast));
+  EXPECT_NE(place_on(slow), place_on(fast));
+}
+
 TEST_F(RenderCommand, PaperHasItsPixels) {
   ASSERT_EQ(run("corner.nc --size A4 --dpi 100 --out lying.png").code, 0);
   ASSERT_EQ(run("corner.nc --size A4-portrait --dpi 100 --out upright.png").code, 0);

@@ -93,7 +93,7 @@ Draw compared_by(ui::Colouring colouring, ui::Background background) {
 }
 
 ui::Picture draw_comparison(const Run& run, ui::PictureSize size) {
-  return ui::draw_comparison(run.input, usual_compared_runs(), {"alpha=2", "X.jerk=5"}, size);
+  return ui::draw_comparison(run.input, usual_compared_runs(), compared_settings, size);
 }
 
 /// Two tolerances on one page to hand out.

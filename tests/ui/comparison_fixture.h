@@ -4,20 +4,21 @@
 #include <utility>
 #include <vector>
 
+#include "core/analysis/run/run.h"
 #include "core/analysis/study/compare.h"
 
 namespace feedscope::test {
 
-/// A run whose cycle time is the sum of `times` [s], on a machine of that name.
+/// A run whose cycle time is the sum of `times` [s], on a shipped machine with that name and those settings.
 inline ComparedRun compared_run(const std::string& machine, const std::string& model,
                                 std::optional<double> tolerance,
-                                const std::vector<std::pair<Cause, double>>& times) {
+                                const std::vector<std::pair<Cause, double>>& times,
+                                const std::vector<std::string>& assignments = {}) {
   ComparedRun run;
+  run.setup = make_setup({"spinner-mvc850", model, tolerance, assignments});
   run.setup.machine.id = machine;
   run.setup.machine.name = machine;
-  run.setup.model = &find_model(model);
   if (tolerance) {
-    run.setup.settings.set("contour_tolerance_mm", *tolerance);
     run.tolerance = ToleranceInForce{*tolerance, *tolerance};
   }
   run.summary.time_by_cause.assign(all_causes().size(), 0);
@@ -30,8 +31,12 @@ inline ComparedRun compared_run(const std::string& machine, const std::string& m
   return run;
 }
 
+/// Settings of usual_compared_runs(), of which `essid` alone reads the first.
+inline const std::vector<std::string> compared_settings{"alpha=2", "X.jerk=5"};
+
 /// Two machines, three models, two tolerances: what a comparison usually holds, in round figures.
 inline std::vector<ComparedRun> usual_compared_runs() {
+  const std::vector<std::string> jerk{compared_settings[1]};
   const Cause feed{CauseKind::programmed_feed, -1};
   const Cause rapid{CauseKind::rapid, -1};
   const Cause jerk_x{CauseKind::axis_jerk, 0};
@@ -43,16 +48,17 @@ inline std::vector<ComparedRun> usual_compared_runs() {
   const Cause dwell{CauseKind::dwell, -1};
   const std::string first = "Portal mill 5000 with a long name and a swivelling head";
   const std::string second = "Spinner";
-  return {compared_run(first, "cam", {}, {{feed, 1.9}, {rapid, 0.1}}),
-          compared_run(first, "essid", 0.01,
-                       {{feed, 0.7}, {jerk_x, 0.8}, {jerk_y, 0.3}, {blend, 0.2}, {ramp, 1}}),
-          compared_run(first, "essid", 0.05,
-                       {{feed, 0.9}, {jerk_x, 0.7}, {jerk_y, 0.2}, {blend, 0.1}, {ramp, 0.8}}),
-          compared_run(first, "ward", 0.01,
-                       {{feed, 0.5}, {tolerance, 4}, {ramp, 0.5}, {stop, 0.03}, {dwell, 0.02}}),
-          compared_run(first, "ward", 0.05, {{feed, 0.5}, {tolerance, 1.5}, {ramp, 0.4}}),
-          compared_run(second, "cam", {}, {{feed, 1.9}, {rapid, 0.1}}),
-          compared_run(second, "essid", 0.05, {{feed, 1.5}, {jerk_x, 0.4}, {ramp, 0.4}})};
+  return {
+      compared_run(first, "cam", {}, {{feed, 1.9}, {rapid, 0.1}}, jerk),
+      compared_run(first, "essid", 0.01, {{feed, 0.7}, {jerk_x, 0.8}, {jerk_y, 0.3}, {blend, 0.2}, {ramp, 1}},
+                   compared_settings),
+      compared_run(first, "essid", 0.05,
+                   {{feed, 0.9}, {jerk_x, 0.7}, {jerk_y, 0.2}, {blend, 0.1}, {ramp, 0.8}}, compared_settings),
+      compared_run(first, "ward", 0.01,
+                   {{feed, 0.5}, {tolerance, 4}, {ramp, 0.5}, {stop, 0.03}, {dwell, 0.02}}, jerk),
+      compared_run(first, "ward", 0.05, {{feed, 0.5}, {tolerance, 1.5}, {ramp, 0.4}}, jerk),
+      compared_run(second, "cam", {}, {{feed, 1.9}, {rapid, 0.1}}, jerk),
+      compared_run(second, "essid", 0.05, {{feed, 1.5}, {jerk_x, 0.4}, {ramp, 0.4}}, compared_settings)};
 }
 
 /// `count` runs of several machines, models and tolerances, every kind of cause among them.

@@ -348,8 +348,18 @@ void ChartsPanel::refresh() {
     overlays_.update(range_, *trajectory_, count);
   }
   usual_.follow(columns_, range_.rapids_shown());
-  rows_.charts.front()->set_cutting_feed(
-      cutting_feed(columns_.envelope(), columns_.bands(), overlays_.runs()));
+  const auto feed = cutting_feed(columns_.envelope(), columns_.bands(), overlays_.runs());
+  rows_.charts.front()->set_cutting_feed(feed);
+  std::vector<MotionBand> cutting;
+  if (feed && overlays_.traces().empty()) {  // recordings do not separate rapids
+    cutting.push_back(columns_.envelope()->cutting());
+    for (const RunOverlay& run : overlays_.runs()) {
+      cutting.push_back(run.envelope->cutting());
+    }
+  }
+  for (const std::size_t chart : {acceleration_chart, jerk_chart}) {
+    rows_.charts[chart]->set_cutting(cutting);
+  }
   rows_.charts[jerk_chart]->set_jumps(
       !sources_.limits_jerk ||
       std::ranges::any_of(overlays_.runs(), [](const RunOverlay& run) { return !run.sources.limits_jerk; }));

@@ -193,6 +193,29 @@ void KinematicChart::set_cutting_feed(const std::optional<CuttingFeed>& feed) {
   }
 }
 
+std::optional<CuttingFeed> KinematicChart::cutting_values() const {
+  if (cutting_feed_ || cutting_.empty()) {
+    return cutting_feed_;
+  }
+  double largest = 0;
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    const CurveSpec& curve = spec_.curves[k];
+    if (!shown_[k] || curve.may_be_cut) {
+      continue;
+    }
+    if (info_of(curve.quantity).source != QuantitySource::motion) {
+      return std::nullopt;  // unknown of the machine's own axes
+    }
+    for (const MotionBand& run : cutting_) {
+      if (const Extent& extent = run[curve.quantity]; !extent.empty()) {
+        largest = std::max({largest, double{extent.max}, -double{extent.min}});
+      }
+    }
+  }
+  largest = spec_.convert(largest);
+  return CuttingFeed{largest, largest};
+}
+
 /// Fits the axes to the shown curves.
 void KinematicChart::fit() {
   std::vector<CurveReach> curves;
@@ -210,11 +233,14 @@ void KinematicChart::fit() {
   }
   values_ = fit_values(curves, limits);
   double fastest = 0;
-  for (const CurveReach& curve : curves) {  // the maximum of an empty range is below all values
-    fastest = curve.may_be_cut ? fastest : std::max(fastest, double{curve.values.max});
+  for (const CurveReach& curve : curves) {
+    if (!curve.may_be_cut && !curve.values.empty()) {
+      fastest = std::max({fastest, double{curve.values.max}, -double{curve.values.min}});
+    }
   }
   fastest_rapid_.reset();
-  const auto slower = cutting_feed_ ? without_rapids(values_, fastest, *cutting_feed_) : std::nullopt;
+  const auto cutting = cutting_values();
+  const auto slower = cutting ? without_rapids(values_, fastest, *cutting) : std::nullopt;
   if (slower && !chosen_values_) {
     fastest_rapid_ = fastest;
     values_ = *slower;
@@ -467,7 +493,8 @@ QStringList KinematicChart::notes() const {
     notes.append(text.arg(QLocale().toString(value, 'f', spec_.decimals)));
   };
   if (fastest_rapid_) {
-    up_to(cutting_feed_->without_peaks ? tr("▴ peaks up to %1") : tr("▴ rapids up to %1"), *fastest_rapid_);
+    up_to(cutting_feed_ && cutting_feed_->without_peaks ? tr("▴ peaks up to %1") : tr("▴ rapids up to %1"),
+          *fastest_rapid_);
   }
   if (programmed_beyond_) {
     up_to(tr("▴ programmed up to %1"), *programmed_beyond_);

@@ -7,6 +7,7 @@
 #include <QStringList>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "ui/charts/chart_spec.h"
@@ -48,6 +49,8 @@ class KinematicChart : public QChartView {
   /// Cutting feeds in the shown range, internal units: a feed chart omits much faster rapids, and notes it.
   /// None without cutting.
   void set_cutting_feed(const std::optional<CuttingFeed>& feed);
+  /// The same for acceleration and jerk: what each run reaches without its rapids. Empty without cutting.
+  void set_cutting(std::vector<MotionBand> runs) { cutting_ = std::move(runs); }
   /// Mean of the first curve in each column, internal units. Drawn where the columns are high and show only
   /// the extremes. Empty: none. Columns as of show_bands().
   void set_means(std::vector<float> means);
@@ -111,6 +114,8 @@ class KinematicChart : public QChartView {
   void lay_out();
   void follow_type_size();
   void fit();
+  /// Values that rapids must not dwarf; none without cutting.
+  std::optional<CuttingFeed> cutting_values() const;
   CurveReach reach_of(const std::vector<Extent>& columns, bool may_be_cut) const;
   /// Omits limits of axes without a shown curve.
   const std::vector<LimitLine>& shown_limits() const;
@@ -135,6 +140,7 @@ class KinematicChart : public QChartView {
   std::vector<OverlayCurve> overlays_;
   std::vector<LimitLine> limits_;
   std::optional<CuttingFeed> cutting_feed_;
+  std::vector<MotionBand> cutting_;
   Interval values_{0, 1};
   std::optional<double> fastest_rapid_;      ///< of the rapids out of sight, in the chart's unit
   std::optional<double> programmed_beyond_;  ///< largest programmed feed, if it is out of sight

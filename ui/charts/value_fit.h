@@ -26,7 +26,7 @@ struct CurveReach {
 /// at most to 1.75 times the largest value of the others.
 Interval fit_values(std::span<const CurveReach> curves, std::span<const double> limits);
 
-/// Cutting feeds, in the chart's unit.
+/// Cutting feeds, or accelerations or jerks while cutting, in the chart's unit.
 struct CuttingFeed {
   double achieved = 0;         ///< the largest; with `without_peaks` the largest lasting one
   double programmed = 0;       ///< the largest
@@ -40,8 +40,8 @@ double largest_that_lasts(std::span<const double> columns);
 /// Whether `fastest` is so large that it leaves no room for `slower` in a chart.
 bool is_far_beyond(double fastest, double slower);
 
-/// `values` made narrower if `fastest`, the largest feed of all, exceeds the cutting feeds by more than a
-/// quarter: rapids do not determine the scale of a feed chart. None if it does not.
+/// `values` made narrower if `fastest`, the largest value of all, exceeds those while cutting by more than a
+/// quarter: rapids do not determine the scale of a chart. None if it does not.
 std::optional<Interval> without_rapids(const Interval& values, double fastest, const CuttingFeed& cutting);
 
 }  // namespace feedscope::ui

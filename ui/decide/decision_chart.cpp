@@ -146,10 +146,7 @@ void DecisionChart::draw_axes(QPainter& painter, const Scale& scale) const {
   PlotGrid grid(painter, scale.plot, {colours.grid, colours.frame, colours.text});
   constexpr double tick_room = 26;  // [px]
   const int rows = std::max(2, static_cast<int>(scale.plot.height() / type_pixels(tick_room)));
-  Ticks times = round_ticks(scale.least_time, scale.most_time, rows);
-  for (int more = rows + 1; times.values.size() < 2 && more < 4 * rows; ++more) {
-    times = round_ticks(scale.least_time, scale.most_time, more);  // one number alone is no scale
-  }
+  const Ticks times = round_ticks(scale.least_time, scale.most_time, rows);
   for (std::size_t i = 0; i < times.values.size(); ++i) {
     const double share = (times.values[i] - scale.least_time) / (scale.most_time - scale.least_time);
     grid.level(scale.plot.bottom() - share * scale.plot.height(), time_tick_text(times, i));

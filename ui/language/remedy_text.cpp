@@ -60,7 +60,8 @@ QString one(const Change& change, std::optional<double> before, const Setup& set
                  : title,
              significant_number(now * unit.factor, 4),
              significant_number(std::get<double>(value) * unit.factor, 4), unit.text)
-        .trimmed();
+        .trimmed()
+        .replace(QStringLiteral(" °"), QStringLiteral("°"));
   }
   return QString::fromStdString(key);
 }

@@ -9,7 +9,8 @@ namespace feedscope::ui {
 QString significant_number(double value, int digits) {
   const double size = std::abs(value);
   constexpr double tiny = 1e-4;
-  if (size > 0 && size < tiny) {
+  constexpr double huge = 1e12;
+  if (size > 0 && (size < tiny || size >= huge)) {
     return QLocale().toString(value, 'g', digits);
   }
   const int before = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;

@@ -343,7 +343,8 @@ class PageWriter {
                                   {"error", deciding_error(figures[i].summary)},
                                   {"actual", figures[i].summary.actual.has_value()},
                                   {"lines_not_run", static_cast<qint64>(figures[i].lines_not_run)},
-                                  {"competes", bool(can[i])}};
+                                  {"competes", bool(can[i])},
+                                  {"other_model", figures[i].is_possible() && !can[i]}};
       runs.append(run);
     }
     const QLocale locale;

@@ -87,10 +87,8 @@ ReportPage handout_page(const Lesson& lesson, LessonRuns& runs, HandoutReader re
   }
   contents.figures = figures.toStdString();
   for (std::size_t i = 0; of_teacher && i < lesson.questions.size(); ++i) {
-    const QString name = QStringLiteral("question%1").arg(i + 1);
     contents.question_figures.push_back(
-        question_figure(lesson, lesson.questions[i], input, runs, name, page.pictures, progress)
-            .toStdString());
+        question_figure(lesson, i, input, runs, page.pictures, progress).toStdString());
   }
   page.html = with_figure_numbers(QString::fromStdString(handout_html(lesson, contents)));
   return page;

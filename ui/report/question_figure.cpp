@@ -165,20 +165,31 @@ bool is_straight(const SampledPath& path) {
   return !(size[1] > min_share * size[2]);
 }
 
-QString question_figure(const Lesson& lesson, const Question& question, const ReportInput& start,
-                        LessonRuns& runs, const QString& name, ReportPictures& pictures, Progress* progress) {
+QString question_figure(const Lesson& lesson, std::size_t index, const ReportInput& start, LessonRuns& runs,
+                        ReportPictures& pictures, Progress* progress) {
+  const Question& question = lesson.questions[index];
+  const Measure& watch = question.watch;
+  const auto name_of = [](auto number) { return QStringLiteral("question%1").arg(number + 1); };
+  const auto shown_by = [&](const QString& picture) {
+    return !pictures.all().contains(picture)
+               ? QString()
+               : QStringLiteral("<p class=\"caption\">%1%2</p>\n")
+                     .arg(caption("Already shown: {}", lesson, title_of(watch, lesson.language)),
+                          figure_reference(picture));
+  };
   const auto earlier = std::ranges::find_if(lesson.questions, [&](const Question& one) {
-    return one.with == question.with && watches_the_same(one.watch, question.watch);
+    return one.with == question.with && watches_the_same(one.watch, watch);
   });
-  if (&*earlier != &question) {
-    return {};  // the picture would be the same
+  const QString of_earlier = name_of(earlier - lesson.questions.begin());
+  if (pictures.all().contains(of_earlier)) {
+    return shown_by(of_earlier);
   }
   ReportInput seen = start;
   if (!question.with.empty()) {
     seen.runs = report_runs({make_shown(runs.run(question.with, progress))});
     seen.current = 0;
   }
-  const Measure& watch = question.watch;
+  const QString name = name_of(index);
   const ShownRun& shown = *seen.run().shown;
   const bool straight = is_straight(*shown.samples);
   if (is_corner(watch) && !straight) {
@@ -192,9 +203,10 @@ QString question_figure(const Lesson& lesson, const Question& question, const Re
     }
   }
   const QString chart = chart_of(watch);
-  const bool is_shown_already = question.with.empty() && watch.first_line == 0;
-  if (!chart.isEmpty() && !is_shown_already) {
-    return chart_figure(lesson, question, seen, chart, name, pictures);
+  const bool in_first_charts = question.with.empty() && watch.first_line == 0;
+  if (!chart.isEmpty()) {
+    return in_first_charts ? shown_by(QStringLiteral("charts%1").arg(start.current))
+                           : chart_figure(lesson, question, seen, chart, name, pictures);
   }
   if (straight) {
     return {};
@@ -202,11 +214,13 @@ QString question_figure(const Lesson& lesson, const Question& question, const Re
   if (watch.first_line > 0) {
     return view_figure(lesson, question, seen, times_of(watch, shown), name, pictures);
   }
-  const bool is_first_figure = question.with.empty() && start.scene.colouring == Colouring::cause;
+  if (question.with.empty() && start.scene.colouring == Colouring::cause) {
+    return shown_by(QStringLiteral("view"));
+  }
   const auto same_run = std::ranges::find(lesson.questions, question.with, &Question::with);
   const QString causes = QStringLiteral("causes%1").arg(same_run - lesson.questions.begin() + 1);
-  if (is_first_figure || pictures.all().contains(causes)) {
-    return {};
+  if (pictures.all().contains(causes)) {
+    return shown_by(causes);
   }
   seen.scene.colouring = Colouring::cause;
   return view_figure(lesson, question, seen, std::nullopt, causes, pictures);

@@ -16,7 +16,7 @@ namespace feedscope::ui {
 
 namespace {
 
-/// Keys of settings that do not have the same value in all runs of their model.
+/// Keys of settings that do not have the same value in all runs of their model on their machine.
 std::set<std::string> differing_settings(const std::vector<std::shared_ptr<const ShownRun>>& runs) {
   std::set<std::string> keys;
   for (const auto& a : runs) {
@@ -25,7 +25,8 @@ std::set<std::string> differing_settings(const std::vector<std::shared_ptr<const
       const Setup& other = b->run.setup;
       for (const auto& [key, value] : one.settings.values()) {
         const auto found = other.settings.values().find(key);
-        if (one.model == other.model && found != other.settings.values().end() && found->second != value) {
+        if (one.model == other.model && one.machine.id == other.machine.id &&
+            found != other.settings.values().end() && found->second != value) {
           keys.insert(key);
         }
       }

@@ -9,12 +9,8 @@ namespace feedscope::ui {
 
 /// `value` with this number of decimals, in the current language like all numbers of reports.
 QString fixed(double value, int decimals);
-/// `value` with at most this number of significant digits, with an exponent only where people would write
-/// one.
-QString significant(double value, int digits);
 /// A core value with decimals, in the shown unit system, without its unit.
 QString fixed(double value, Dimension dimension, int metric_decimals = -1);
-QString significant(double value, Dimension dimension, int digits);
 /// A share in percent without the sign; "–" for NaN.
 QString percent(double share, int decimals);
 /// A contour error [mm] as in the window, without its unit.

@@ -12,6 +12,7 @@
 #include "core/analysis/time/ruled_instant.h"
 #include "core/base/units.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/language/significant.h"
 #include "ui/paper/html_table.h"
 #include "ui/paper/picture_file.h"
 #include "ui/report/charts_page.h"
@@ -324,7 +325,7 @@ QString run_view(const ReportInput& input, ReportPictures& pictures, double heig
   const QString name = html_text(input.run().name);
   const QString usual = input.scene.exaggeration > 1
                             ? ReportWords::tr("Executed path of %1; deviations exaggerated %2 times.")
-                                  .arg(name, significant(input.scene.exaggeration, 4))
+                                  .arg(name, significant_number(input.scene.exaggeration, 4))
                             : ReportWords::tr("Programmed and executed path of %1.").arg(name);
   return figure(pictures.add(QStringLiteral("view"), scene_picture(input, {report_width, height}),
                              ReportWords::tr("3D view")),

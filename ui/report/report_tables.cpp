@@ -9,6 +9,7 @@
 #include "ui/language/core_texts.h"
 #include "ui/language/in_language.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/language/significant.h"
 #include "ui/language/texts.h"
 #include "ui/paper/html_table.h"
 #include "ui/report/report_numbers.h"
@@ -99,7 +100,8 @@ QString program_facts_block(const ReportInput& input) {
   if (facts.chord_error) {
     add(ReportWords::tr("Chord error"),
         ReportWords::tr("about %1 %2, estimated from %3 short lines")
-            .arg(significant(facts.chord_error->value, Dimension::length, 2), unit_of(Dimension::length))
+            .arg(significant_number(in_shown_unit(facts.chord_error->value, Dimension::length), 2),
+                 unit_of(Dimension::length))
             .arg(facts.chord_error->chords));
   }
   add(ReportWords::tr("Tools"), tools_text(program));
@@ -120,8 +122,8 @@ QString program_facts_block(const ReportInput& input) {
 }
 
 QString programmed_feeds_text(const ProgramFacts& facts) {
-  const QString slowest = significant(facts.min_feed, Dimension::feed, 6);
-  const QString fastest = significant(facts.largest_feed, Dimension::feed, 6);
+  const QString slowest = significant_number(in_shown_unit(facts.min_feed, Dimension::feed), 6);
+  const QString fastest = significant_number(in_shown_unit(facts.largest_feed, Dimension::feed), 6);
   return !(facts.largest_feed > 0) ? ReportWords::tr("none")
          : slowest == fastest
              ? fastest + ' ' + unit_of(Dimension::feed)

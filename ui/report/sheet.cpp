@@ -17,6 +17,7 @@
 #include "ui/language/core_texts.h"
 #include "ui/language/in_language.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/language/significant.h"
 #include "ui/language/texts.h"
 #include "ui/paper/html_table.h"
 #include "ui/report/blocks/report_decision.h"
@@ -147,7 +148,7 @@ class SheetPainter {
         {ReportWords::tr("cycle time"),
          refused ? ReportWords::tr("refused") : clock_text(summary.cycle_time)},
         {ReportWords::tr("× programmed time"),
-         ratio > 0 ? shown(significant(ratio, 3)) : QStringLiteral("–")},
+         ratio > 0 ? shown(significant_number(ratio, 3)) : QStringLiteral("–")},
         {ReportWords::tr("mean feed, %1").arg(unit_of(Dimension::feed)),
          shown(fixed(summary.mean_feed, Dimension::feed))},
         {ReportWords::tr("peak feed, %1").arg(unit_of(Dimension::feed)),

@@ -15,6 +15,7 @@ struct BarTexts {
   Q_DECLARE_TR_FUNCTIONS(feedscope::ui::ComparisonChart)
 };
 
+constexpr double seen = 0.4;     // [px]
 constexpr double separated = 3;  // wider parts are separated from the previous one by a white line
 const QColor rest_color(0xb4, 0xba, 0xc2);
 const QColor refused_color(0xff, 0xff, 0xff, 0xa0);
@@ -66,6 +67,10 @@ double paint_cause_bar(QPainter& painter, const ComparisonBar& bar, const CauseB
   for (const BarPart& part : bar.parts) {
     const QRectF piece(left, how.place.top(), part.time * how.pixels_per_second, how.place.height());
     const auto kind = part.cause ? std::optional(part.cause->kind) : std::nullopt;
+    if (!kind && piece.width() < seen) {  // its outline would be wider
+      left = piece.right();
+      continue;
+    }
     fill_cause(painter, piece, kind);
     if (bar.lines_not_run > 0) {
       hatch_refused(painter, piece);

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t kind_count = cause_kind_count;
 constexpr double min_share = 0.01;
+constexpr double seen_share = 0.002;  // of the longest bar; less is narrower than a pixel
 
 using KindFlags = std::array<bool, kind_count>;
 
@@ -44,7 +45,7 @@ KindFlags kinds_told_apart(std::span<const ComparedRun> runs) {
   const auto small =
       std::ranges::find_if(present, [&](std::size_t k) { return shares[k] < min_share; }) - present.begin();
   auto kept = static_cast<std::size_t>(small);
-  if (kept + 1 == present.size()) {
+  if (kept + 1 == present.size() && shares[present[kept]] >= seen_share) {
     ++kept;
   }
   present.resize(std::min(kept, max_cause_kinds));
@@ -112,8 +113,13 @@ ComparisonBars comparison_bars(std::span<const ComparedRun> runs) {
     }
     const ComparisonBar& bar = result.machines.back().bars.emplace_back(bar_of(run, told));
     result.lines_refused = result.lines_refused || bar.lines_not_run > 0;
-    result.rest = result.rest || (!bar.parts.empty() && !bar.parts.back().cause);
     result.longest = std::max({result.longest, bar.cycle_time, run.summary.programmed_time});
+  }
+  for (const MachineBars& each : result.machines) {
+    result.rest = result.rest || std::ranges::any_of(each.bars, [&](const ComparisonBar& bar) {
+                    return !bar.parts.empty() && !bar.parts.back().cause &&
+                           bar.parts.back().time >= seen_share * result.longest;
+                  });
   }
   return result;
 }

@@ -40,7 +40,7 @@ struct MachineBars {
 struct ComparisonBars {
   std::vector<MachineBars> machines;  ///< in the order of the runs
   std::vector<CauseKind> kinds;       ///< distinguished kinds, in the order of their parts
-  bool rest = false;                  ///< whether any bar has a part without cause
+  bool rest = false;                  ///< whether any bar has a part without cause that can be seen
   bool lines_refused = false;         ///< whether a control refuses lines of any run
   double longest = 0;                 ///< longest time that the bars show [s]
 
@@ -51,7 +51,7 @@ struct ComparisonBars {
 inline constexpr std::size_t max_cause_kinds = 11;
 
 /// Kinds of causes with less than 1 % of every run, and those beyond max_cause_kinds, become one part;
-/// a single such kind keeps its name if there is room.
+/// a single such kind keeps its name if there is room and it can be seen.
 ComparisonBars comparison_bars(std::span<const ComparedRun> runs);
 
 }  // namespace feedscope::ui

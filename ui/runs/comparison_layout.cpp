@@ -259,9 +259,6 @@ ComparisonLayout lay_out(const ComparisonBars& bars, const QSize& size, const QF
   layout.pixels_per_second = layout.plot.width() / most;
   const int most_ticks = std::max(2, static_cast<int>(layout.plot.width() / tick_distance));
   layout.ticks = round_ticks(0, most, most_ticks);
-  if (layout.ticks.values.size() < 2) {
-    layout.ticks = round_ticks(0, most, most_ticks + 1);  // zero alone is no scale
-  }
   return layout;
 }
 

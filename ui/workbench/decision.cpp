@@ -58,6 +58,20 @@ QString DecisionTexts::none_keeps(std::span<const ComparedRun> runs, const QStri
                : QString();
 }
 
+QString DecisionTexts::only(OnlyChoice why) {
+  switch (why) {
+    case OnlyChoice::within_bound:
+      return tr("No other run keeps the bound.");
+    case OnlyChoice::within_bound_of_machine:
+      return tr("No other run with the machine's own model keeps the bound.");
+    case OnlyChoice::of_machine:
+      return tr("No other run has the machine's own model.");
+    case OnlyChoice::possible:
+      break;
+  }
+  return tr("No other run can be taken.");
+}
+
 Decision DecisionTexts::decision(const RunList& runs) {
   if (runs.items().size() < 2) {
     return {};
@@ -82,7 +96,7 @@ Decision DecisionTexts::decision(std::span<const ComparedRun> runs, const QStrin
   const QString time = clock_text(summary.cycle_time);
   switch (taken->reason) {
     case Recommendation::Reason::only:
-      return {tr("%1: %2, %3.").arg(name, time, error(summary)), tr("No other run can be taken.")};
+      return {tr("%1: %2, %3.").arg(name, time, error(summary)), only(why_only(runs, bound))};
     case Recommendation::Reason::no_difference:
       return {tr("No difference worth having: %1 takes %2, %3.").arg(name, time, error(summary)),
               tr("The cycle times differ by less than 1 %. This run has the smallest error.")};

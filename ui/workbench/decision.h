@@ -32,6 +32,7 @@ class DecisionTexts {
 
  private:
   static QString error(const Summary& summary);
+  static QString only(OnlyChoice why);
   static QString none_keeps(std::span<const ComparedRun> runs, const QStringList& names, double bound);
 };
 

@@ -82,6 +82,23 @@ std::optional<Recommendation> recommend(std::span<const ComparedRun> runs, std::
   return recommend(std::span<const RunTime>(times), within);
 }
 
+OnlyChoice why_only(std::span<const ComparedRun> runs, std::optional<double> within) {
+  const std::vector<bool> can = can_be_chosen(runs);
+  std::size_t choices = 0;
+  std::size_t beyond = 0;
+  bool of_other_models = false;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    choices += can[i] ? 1 : 0;
+    beyond += can[i] && !keeps_bound(deciding_error(runs[i].summary), within) ? 1 : 0;
+    of_other_models = of_other_models || (!can[i] && runs[i].is_possible());
+  }
+  using enum OnlyChoice;
+  if (choices == 1) {
+    return of_other_models ? of_machine : possible;
+  }
+  return beyond + 1 < choices ? possible : of_other_models ? within_bound_of_machine : within_bound;
+}
+
 std::string to_string(Recommendation::Reason reason) {
   switch (reason) {
     case Recommendation::Reason::only:

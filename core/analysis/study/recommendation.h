@@ -45,6 +45,16 @@ std::vector<bool> can_be_chosen(std::span<const ComparedRun> runs);
 /// Recommends one of the compared runs; also none if no run can_be_chosen().
 std::optional<Recommendation> recommend(std::span<const ComparedRun> runs, std::optional<double> within);
 
+/// Why no other run can be chosen than the recommended one.
+enum class OnlyChoice : std::uint8_t {
+  within_bound,             ///< the others have a larger contour error
+  within_bound_of_machine,  ///< so do those of the machine's own model
+  of_machine,               ///< the others have other models than the machine's own
+  possible,                 ///< the control or the machine cannot run the others
+};
+/// Of runs for which recommend() has Reason::only.
+OnlyChoice why_only(std::span<const ComparedRun> runs, std::optional<double> within);
+
 /// Keys "only", "no-difference", "fastest", "smallest-error-within-1-percent".
 std::string to_string(Recommendation::Reason reason);
 

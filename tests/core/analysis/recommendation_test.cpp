@@ -50,6 +50,36 @@ TEST(Recommendation, NeverTakesWhatTheControlRefuses) {
   EXPECT_FALSE(recommended({}));
 }
 
+ComparedRun run_of(const std::string& model, double contour_error) {
+  ComparedRun run;
+  run.setup.machine.model = "essid";
+  run.setup.model = &find_model(model);
+  run.summary.cycle_time = 1;
+  run.summary.cutting_contour_error = contour_error;
+  return run;
+}
+
+TEST(Recommendation, OfARunAloneSaysWhyNoOtherCanBeChosen) {
+  const ComparedRun exact = run_of("essid", 0.01);
+  const ComparedRun coarse = run_of("essid", 0.05);
+  const ComparedRun other = run_of("ward", 0.001);
+  ComparedRun refused = coarse;
+  refused.refused = true;
+  const auto why = [](const std::vector<ComparedRun>& runs, std::optional<double> within) {
+    EXPECT_EQ(recommend(std::span<const ComparedRun>(runs), within)->reason, Recommendation::Reason::only);
+    return why_only(runs, within);
+  };
+  EXPECT_EQ(why({exact, coarse}, 0.02), OnlyChoice::within_bound);
+  EXPECT_EQ(why({exact, coarse, other}, 0.02), OnlyChoice::within_bound_of_machine)
+      << "a run of another model is within the bound";
+  EXPECT_EQ(why({exact, other}, 0.02), OnlyChoice::of_machine);
+  EXPECT_EQ(why({exact, refused}, std::nullopt), OnlyChoice::possible);
+  ComparedRun cut = exact;
+  cut.lines_not_run = 4;
+  EXPECT_EQ(why({exact, cut, other}, std::nullopt), OnlyChoice::possible)
+      << "a run of the machine's own model";
+}
+
 TEST(Recommendation, HoldsItsRuleOnRandomRuns) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> any(0, 1);

@@ -111,7 +111,23 @@ TEST(Ticks, AreTwoAndFarApartWhereThereIsRoomForTwo) {
   EXPECT_EQ(step_decimals(20), 0);
 }
 
-TEST(Ticks, AreNeverMoreThanAskedForAndAtLeastAThird) {
+TEST(Ticks, AreNeverOneAloneWhereTwoAreAskedFor) {
+  EXPECT_THAT(round_ticks(1, 9, 2).values, ElementsAre(2, 4, 6, 8)) << "5 alone is no scale";
+  EXPECT_THAT(round_ticks(1, 9, 1).values, ElementsAre(5));
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> exponent(-6, 6);
+  std::uniform_real_distribution<double> place(-10, 10);
+  for (int i = 0; i < 10'000; ++i) {
+    const double range = std::pow(10, exponent(random));
+    const double from = place(random) * range;
+    const int most = 2 + i % 6;
+    const auto count = static_cast<int>(round_ticks(from, from + range, most).values.size());
+    EXPECT_GE(count, 2) << from << " + " << range << ", " << most;
+    EXPECT_LE(count, std::max(most, 5)) << from << " + " << range << ", " << most;
+  }
+}
+
+TEST(Ticks, AreHardlyMoreThanAskedForAndAtLeastAThird) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> exponent(-6, 6);
   std::uniform_real_distribution<double> place(-1, 1);
@@ -121,7 +137,7 @@ TEST(Ticks, AreNeverMoreThanAskedForAndAtLeastAThird) {
     const int most = 3 + i % 15;
     const Ticks ticks = round_ticks(from, from + range, most);
     const auto count = static_cast<int>(ticks.values.size());
-    EXPECT_LE(count, most) << from << " + " << range;
+    EXPECT_LE(count, std::max(most, 5)) << from << " + " << range;
     EXPECT_GE(count, most / 3) << from << " + " << range;
     EXPECT_EQ(ticks.values.size(), ticks.labels.size());
   }

@@ -53,6 +53,33 @@ class JerkChart : public testing::Test {
   KinematicChart chart_;
 };
 
+/// A slow cut after a rapid with all of the machine's acceleration.
+TEST(AccelerationChart, RapidsDoNotSetTheScaleAndAreNoted) {
+  const auto run = test::simulate_text("G21 G90 G94\nG0 X100\nG1 X110 F100\n");
+  const Envelope envelope(run.trajectory);
+  ViewRange range;
+  KinematicChart chart(kinematic_chart_specs()[acceleration_chart], range);
+  chart.resize(600, 300);
+  const auto most = [&](QuantityId id) {
+    const Extent whole = envelope.overall()[id];
+    return chart.spec().convert(std::max(double{whole.max}, -double{whole.min}));
+  };
+  ASSERT_NEAR(most(QuantityId::tangential_acceleration), 1, 0.01);
+  chart.show_bands(std::array{envelope.overall()});
+  EXPECT_GE(chart.values().upper, 1);
+  EXPECT_FALSE(chart.notes().join(' ').contains("rapids"));
+  chart.set_cutting({envelope.cutting()});
+  chart.show_bands(std::array{envelope.overall()});
+  EXPECT_LT(chart.values().upper, 0.25);
+  EXPECT_GT(chart.values().upper,
+            chart.spec().convert(double{envelope.cutting()[QuantityId::tangential_acceleration].max}));
+  EXPECT_GT(chart.values().lower, -0.25) << "braking of the rapid as well";
+  EXPECT_TRUE(chart.notes().join(' ').contains("rapids up to 1")) << chart.notes().join(' ').toStdString();
+  chart.set_cutting({});
+  chart.show_bands(std::array{envelope.overall()});
+  EXPECT_GE(chart.values().upper, 1) << "rapids alone";
+}
+
 TEST_F(JerkChart, FollowsTheAxesWhereTheTangentialJerkIsFarLarger) {
   show({-235, 180}, {-4, 5}, {-2, 3});
   EXPECT_LT(highest(), 10);

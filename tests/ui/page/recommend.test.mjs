@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { changeText, clockText, gainText, numberText, shareText, useNumbers } from '../../../ui/page/web/numbers.js';
-import { recommend } from '../../../ui/page/web/recommend.js';
+import { recommend, whyOnly } from '../../../ui/page/web/recommend.js';
 
 const run = (time, error, more = {}) => ({ time, error, lines_not_run: 0, competes: true, ...more });
 
@@ -20,6 +20,16 @@ test('runs beyond the bound do not count, exactly on it they do', () => {
   assert.equal(recommend(runs, 0.0499).run, 0);
   assert.equal(recommend(runs, 0.0499).reason, 'only');
   assert.equal(recommend(runs, 0.001), null);
+});
+
+test('a run that is alone has a reason', () => {
+  const runs = [run(120, 0.01), run(100, 0.05)];
+  const other = run(90, 0.001, { competes: false, other_model: true });
+  assert.equal(whyOnly(runs, 0.02), 'within-bound');
+  assert.equal(whyOnly([...runs, other], 0.02), 'within-bound-of-machine');
+  assert.equal(whyOnly([runs[0], other], 0.02), 'of-machine');
+  assert.equal(whyOnly([runs[0], run(0, 0, { competes: false, other_model: false })], null), 'possible');
+  assert.equal(whyOnly([runs[0], run(1, 0, { lines_not_run: 4 }), other], null), 'possible');
 });
 
 test('differences below one percent are none', () => {

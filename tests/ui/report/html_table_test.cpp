@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ui/language/significant.h"
 #include "ui/report/report_numbers.h"
 
 namespace feedscope::ui {
@@ -36,11 +37,12 @@ TEST(ReportNumbers, ReadAsPeopleWriteThem) {
   EXPECT_EQ(fixed(1.26, 1), "1.3");
   EXPECT_EQ(fixed(-0.01, 1), "0.0");
   EXPECT_EQ(fixed(-0.06, 1), "-0.1");
-  EXPECT_EQ(significant(0.1, 8), "0.1");
-  EXPECT_EQ(significant(1234.5678, 3), "1235");
-  EXPECT_EQ(significant(0.00123456, 3), "0.00123");
-  EXPECT_EQ(significant(0, 3), "0");
-  EXPECT_EQ(significant(1e-9, 3), "1e-09");
+  EXPECT_EQ(significant_number(0.1, 8), "0.1");
+  EXPECT_EQ(significant_number(1234.5678, 3), "1235");
+  EXPECT_EQ(significant_number(0.00123456, 3), "0.00123");
+  EXPECT_EQ(significant_number(0, 3), "0");
+  EXPECT_EQ(significant_number(1e-9, 3), "1e-09");
+  EXPECT_EQ(significant_number(2e12, 3), "2e+12");
   EXPECT_EQ(unit_text("m/s3"), "m/s³");
 }
 

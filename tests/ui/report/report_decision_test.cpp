@@ -125,6 +125,20 @@ TEST(ReportDecision, RotaryAxesHaveTheirLimits) {
               AllOf(HasSubstr("Rotary axis"), HasSubstr("[rev/min]"), HasSubstr(">A<"), HasSubstr(">C<")));
 }
 
+/// Their settings come from their files, which page 4 describes.
+TEST(ReportDecision, RunsOnSeveralMachinesAreNamedByTheMachine) {
+  const LoadedProgram program = load_program(std::make_shared<const SourceText>("part.nc", many_corners));
+  std::vector<std::shared_ptr<const ShownRun>> shown;
+  for (const char* machine : {"spinner-mvc850", "klipper-corexy"}) {
+    shown.push_back(make_shown(simulate_run(program, make_setup({machine, "essid", 0.01, {}}))));
+  }
+  ASSERT_NE(shown[0]->run.setup.settings.number("lookahead_blocks"),
+            shown[1]->run.setup.settings.number("lookahead_blocks"));
+  const std::vector<ReportRun> runs = report_runs(shown);
+  EXPECT_EQ(runs[0].name.toStdString(), "spinner-mvc850, essid, 0.01 mm");
+  EXPECT_EQ(runs[1].name.toStdString(), "klipper-corexy, essid, 0.01 mm");
+}
+
 TEST(ReportDecision, PageFourHasTheLimitsAndSettingsOfEveryRun) {
   const LoadedProgram program = load_program(std::make_shared<const SourceText>("part.nc", many_corners));
   std::vector<std::shared_ptr<const ShownRun>> shown;

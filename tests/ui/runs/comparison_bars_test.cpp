@@ -82,6 +82,17 @@ TEST(ComparisonBars, KeepTheNameOfASmallCauseThatIsAlone) {
   EXPECT_FALSE(bars.rest);
 }
 
+TEST(ComparisonBars, NameNothingThatIsNarrowerThanAPixel) {
+  const auto alone =
+      comparison_bars(std::vector{compared_run("m", "essid", 0.01, {{feed, 99.9}, {dwell, 0.1}})});
+  EXPECT_EQ(alone.kinds, (std::vector{CauseKind::programmed_feed}));
+  EXPECT_FALSE(alone.rest);
+  EXPECT_EQ(alone.machines[0].bars[0].parts.back().time, 0.1) << "no time is lost";
+  EXPECT_FALSE(comparison_bars(
+                   std::vector{compared_run("m", "essid", 0.01, {{feed, 99.9}, {stop, 0.05}, {dwell, 0.05}})})
+                   .rest);
+}
+
 TEST(ComparisonBars, KeepAtMostAsManyKindsAsTheLegendHoldsAndNoTimeIsLost) {
   const auto runs = feedscope::test::many_compared_runs(40);
   const auto bars = comparison_bars(runs);

@@ -4,7 +4,7 @@
 import { causeColour, causesOf } from './colouring.js';
 import { el, lineSample, svg } from './elements.js';
 import { amountText, changeText, clockText, inShownUnit, numberText, shareText, tickText, unitOf } from './numbers.js';
-import { mostExact, recommend } from './recommend.js';
+import { mostExact, recommend, whyOnly } from './recommend.js';
 import { tr } from './texts.js';
 
 const width = 276;
@@ -16,6 +16,14 @@ const errorText = (choice) =>
   choice.actual
     ? tr('actual contour error %1', amountText(choice.error, 'error'))
     : tr('contour error %1', amountText(choice.error, 'error'));
+
+const onlyText = (why) =>
+  ({
+    'within-bound': () => tr('No other run keeps the bound.'),
+    'within-bound-of-machine': () => tr("No other run with the machine's own model keeps the bound."),
+    'of-machine': () => tr("No other run has the machine's own model."),
+    possible: () => tr('No other run can be taken.'),
+  })[why]();
 
 /** {headline, rule}: the sentences of DecisionTexts. */
 export function decisionTexts(runs, taken, within) {
@@ -38,7 +46,7 @@ export function decisionTexts(runs, taken, within) {
   const name = names[taken.run];
   const time = clockText(choice.time);
   if (taken.reason === 'only') {
-    return { headline: tr('%1: %2, %3.', name, time, errorText(choice)), rule: tr('No other run can be taken.') };
+    return { headline: tr('%1: %2, %3.', name, time, errorText(choice)), rule: onlyText(whyOnly(choices, within)) };
   }
   if (taken.reason === 'no-difference') {
     return {

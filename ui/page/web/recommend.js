@@ -57,3 +57,13 @@ export function mostExact(choices) {
   const runs = choices.map((choice, run) => ({ ...choice, run })).filter((run) => run.competes);
   return runs.length ? smallest(runs, (run) => run.error).run : null;
 }
+
+/** Why no other run can be chosen where recommend() has the reason 'only'; `choices` also have `other_model`. */
+export function whyOnly(choices, within) {
+  const competing = choices.filter((run) => run.competes);
+  const beyond = competing.filter((run) => within !== null && run.error > within + rounding);
+  const ofOtherModels = choices.some((run) => run.other_model);
+  if (competing.length === 1) return ofOtherModels ? 'of-machine' : 'possible';
+  if (beyond.length + 1 < competing.length) return 'possible';
+  return ofOtherModels ? 'within-bound-of-machine' : 'within-bound';
+}

@@ -41,10 +41,10 @@ QString rotary_peaks_block(const ReportInput& input) {
                   ReportWords::tr("Acceleration"), ReportWords::tr("Jerk"),
                   with_unit_of(ReportWords::tr("Largest lean"), Dimension::angle)});
   const auto cell = [](double peak, double limit, Dimension dimension) {
-    return std::isnan(peak)
-               ? ReportWords::tr("jumps")
-               : QStringLiteral("%1 %2<br/><span class=\"muted\">%3 %</span>")
-                     .arg(significant(peak, dimension, 3), unit_of(dimension), percent(peak / limit, 0));
+    return std::isnan(peak) ? ReportWords::tr("jumps")
+                            : QStringLiteral("%1 %2<br/><span class=\"muted\">%3 %</span>")
+                                  .arg(significant_number(in_shown_unit(peak, dimension), 3),
+                                       unit_of(dimension), percent(peak / limit, 0));
   };
   bool any = false;
   for (std::size_t row = 0; row < input.runs.size(); ++row) {
@@ -56,7 +56,7 @@ QString rotary_peaks_block(const ReportInput& input) {
     any = true;
     const Machine& machine = run.shown->run.setup.machine;
     QString label = run_label(input, row);
-    QString lean = significant(figures->orientation.angle, Dimension::angle, 3);
+    QString lean = significant_number(in_shown_unit(figures->orientation.angle, Dimension::angle), 3);
     for (std::size_t i = 0; figures->linear && i < known_axes.size(); ++i) {
       QStringList cells{std::exchange(label, QString()), QString(QChar(known_axes[i].name))};
       const AxisLimits* limits = machine.axes.find(known_axes[i].name);
@@ -119,7 +119,8 @@ QString peaks_block(const ReportInput& input) {
         }
         const double limit = run.shown->run.setup.machine.axes.find(axis.name)->*quantity.limit;
         cells.append(QStringLiteral("%1<br/><span class=\"muted\">%2 %</span>")
-                         .arg(significant(peak, quantity.dimension, 3), percent(peak / limit, 0)));
+                         .arg(significant_number(in_shown_unit(peak, quantity.dimension), 3),
+                              percent(peak / limit, 0)));
       }
     }
     table.add(cells);

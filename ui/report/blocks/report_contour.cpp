@@ -13,6 +13,7 @@
 #include "ui/contour/contour_texts.h"
 #include "ui/language/language.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/language/significant.h"
 #include "ui/paper/html_table.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_words.h"
@@ -180,7 +181,7 @@ QString contour_place_views_block(const ReportInput& input, ReportPictures& pict
     QString caption = ReportWords::tr("Place %1: line %2, %3")
                           .arg(number, line_cell(errors), error_amount_text(errors.worst.place.error));
     if (factor > 1) {
-      caption += ReportWords::tr("; deviations exaggerated %1 times").arg(significant(factor, 4));
+      caption += ReportWords::tr("; deviations exaggerated %1 times").arg(significant_number(factor, 4));
     }
     caption += '.';
     shown.emplace_back(

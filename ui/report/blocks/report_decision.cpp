@@ -371,7 +371,7 @@ QString runs_table_block(const ReportInput& input, ReportPictures& pictures) {
   const auto taken = several ? recommendation(input) : std::nullopt;
   const std::size_t against = taken ? taken->against : 0;
   const QStringList names = short_names(input);
-  HtmlTable table("llrrrrr", {12, 26, 13, 13, 13, 10, 13});
+  HtmlTable table("llrrrrr", {several ? 12 : 36, several ? 26 : 2, 13, 13, 13, 10, 13});
   QStringList head{several ? ReportWords::tr("Run") : QString(),
                    QString(),
                    ReportWords::tr("Cycle time"),
@@ -387,8 +387,9 @@ QString runs_table_block(const ReportInput& input, ReportPictures& pictures) {
     const ReportRun& run = input.runs[row];
     const Summary& summary = summary_of(run);
     const double reference = summary_of(input.runs[against]).cycle_time;
-    QStringList cells{several ? run_letter(row) + "&nbsp; " + line_sample(input, row, pictures) : QString(),
-                      html_text(names[static_cast<qsizetype>(row)])};
+    QStringList cells{html_text(names[static_cast<qsizetype>(row)])};
+    several ? cells.prepend(run_letter(row) + "&nbsp; " + line_sample(input, row, pictures))
+            : cells.append(QString());
     if (is_refused(run.shown->run)) {
       cells << ReportWords::tr("refused") << QStringLiteral("–") << QStringLiteral("–") << QStringLiteral("–")
             << QStringLiteral("–");

@@ -6,6 +6,7 @@
 #include "core/base/geometry.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/language/significant.h"
 #include "ui/paper/html_table.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
@@ -24,7 +25,7 @@ int digits_of(const KeyUnit& unit) {
 
 QString value_text(const SettingValue& value, const KeyUnit& unit) {
   const auto* number = std::get_if<double>(&value);
-  return number != nullptr ? significant(*number * unit.factor, digits_of(unit))
+  return number != nullptr ? significant_number(*number * unit.factor, digits_of(unit))
                            : html_text(core_text(std::get<std::string>(value)));
 }
 
@@ -70,7 +71,7 @@ QString axis_sources(const Machine& machine, const std::string& limit) {
 QString axis_value_text(const Machine& machine, char axis, const std::string& key, const KeyUnit& unit) {
   const SettingValue value = axis_value(machine, axis, key);
   const double* number = std::get_if<double>(&value);
-  return number != nullptr ? significant(*number * unit.factor, digits_of(unit)) : QStringLiteral("–");
+  return number != nullptr ? significant_number(*number * unit.factor, digits_of(unit)) : QStringLiteral("–");
 }
 
 bool has_any(const Machine& machine, const std::string& key) {
@@ -93,7 +94,7 @@ QString rotary_table(const Machine& machine) {
       if (const double* number = std::get_if<double>(&value)) {
         table.add({ReportWords::tr("%1 of %2", "of an axis")
                        .arg(html_text(core_text(spec.title)), QString(QChar(axis.name))),
-                   significant(*number, 6), html_text(spec.unit),
+                   significant_number(*number, 6), html_text(spec.unit),
                    source_text(machine, axis_key(axis.name, spec.key))});
       }
     }

@@ -26,6 +26,7 @@ namespace {
 
 constexpr int motion_type = 10;
 constexpr std::size_t most_runs_drawn = 8;
+constexpr double motion_right = 18;  // half a label right of a plot [1/96 inch]
 const GridLook motion_grid{QColor(0xe6, 0xe9, 0xec), QColor(0x9a, 0xa0, 0xa8), QColor(0x40, 0x46, 0x4d)};
 const QColor motion_ink(0x22, 0x26, 0x2a);
 const QColor programmed_ink(0x9a, 0xa0, 0xa8);
@@ -174,13 +175,12 @@ std::vector<QPointF> steps_of(const FeedCourse& course, const std::vector<double
 void paint_feed_courses(QPainter& painter, const QSizeF& size, const ReportInput& input,
                         const FeedCourses& shown) {
   constexpr double left = 52;
-  constexpr double right = 8;
   constexpr double title = 18;
   constexpr double below = 34;
   const double feed_height = 0.62 * (size.height() - 2 * title - below);
   MotionPlot feed;
   feed.title = with_unit_of(ReportWords::tr("Mean feed"), Dimension::feed);
-  feed.place = {left, title, size.width() - left - right, feed_height};
+  feed.place = {left, title, size.width() - left - motion_right, feed_height};
   MotionPlot lost;
   lost.title = ReportWords::tr("Time lost so far [s]");
   const double lost_top = feed.place.bottom() + title + 6;
@@ -212,6 +212,12 @@ struct MotionWindow {
   double half = 0;    ///< [s]
 };
 
+/// Whether one of `places` overlaps `place`: groups of different causes may have the same worst place.
+bool is_seen(const SlowPlace& place, const std::vector<SlowPlace>& places) {
+  return std::ranges::any_of(
+      places, [&](const SlowPlace& other) { return other.from < place.to && place.from < other.to; });
+}
+
 /// Feed motions only, as in the curves above: a rapid would determine the scale.
 std::vector<MotionWindow> motion_windows(const ReportInput& input) {
   constexpr std::size_t most = 3;
@@ -221,7 +227,8 @@ std::vector<MotionWindow> motion_windows(const ReportInput& input) {
   const std::vector<SlowGroup>& groups = input.time->slow.groups;
   for (std::size_t rank = 0; rank < SlowGroups::worst_places && places.size() < most; ++rank) {
     for (const SlowGroup& group : groups) {
-      if (places.size() < most && rank < group.worst.size() && group.shape != PlaceShape::rapid) {
+      if (places.size() < most && rank < group.worst.size() && group.shape != PlaceShape::rapid &&
+          !is_seen(group.worst[rank], places)) {
         places.push_back(group.worst[rank]);
       }
     }
@@ -296,7 +303,7 @@ void paint_motion_windows(QPainter& painter, const QSizeF& size, const ReportInp
   constexpr double title = 19;
   constexpr double below = 34;
   const double count = static_cast<double>(windows.size());
-  const double width = (size.width() - left - 8 - gap * (count - 1)) / count;
+  const double width = (size.width() - left - motion_right - gap * (count - 1)) / count;
   const double height = (size.height() - head - 3 * title - below) / 3;
   std::array<std::vector<MotionPlot>, 3> plots;
   for (std::size_t column = 0; column < windows.size(); ++column) {
@@ -328,7 +335,7 @@ void paint_motion_windows(QPainter& painter, const QSizeF& size, const ReportInp
     }
   }
   painter.setPen(motion_ink);
-  painter.drawText(QRectF(left, size.height() - 14, size.width() - left - 8, 14), Qt::AlignCenter,
+  painter.drawText(QRectF(left, size.height() - 14, size.width() - left - motion_right, 14), Qt::AlignCenter,
                    ReportWords::tr("Time from the slowest instant [s]"));
 }
 

@@ -10,6 +10,7 @@
 #include "ui/charts/cause_strip.h"
 #include "ui/language/in_language.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/language/significant.h"
 #include "ui/language/texts.h"
 #include "ui/paper/html_table.h"
 #include "ui/report/report_numbers.h"
@@ -70,7 +71,7 @@ QString one_run_sentence(const ReportRun& run) {
           "<b>%1</b> on %2 takes <b>%3</b>, %4 times the programmed time of %5, at a mean feed of "
           "%6; in feed motions the path stays within <b>%7</b> of the programmed one.")
           .arg(html_text(run.name), html_text(run.shown->run.setup.machine.name),
-               clock_text(summary.cycle_time), significant(against_programmed(summary), 3),
+               clock_text(summary.cycle_time), significant_number(against_programmed(summary), 3),
                clock_text(summary.programmed_time),
                fixed(summary.mean_feed, Dimension::feed) + ' ' + unit_of(Dimension::feed),
                error_number(summary.cutting_contour_error) + ' ' + unit_of(Dimension::error));

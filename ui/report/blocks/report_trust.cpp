@@ -11,6 +11,7 @@
 #include "ui/language/core_texts.h"
 #include "ui/language/in_language.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/language/significant.h"
 #include "ui/language/texts.h"
 #include "ui/paper/html_table.h"
 #include "ui/report/blocks/report_decision.h"
@@ -57,7 +58,7 @@ QString limit_text(const Machine& machine, char axis, const SettingSpec& spec) {
   if (number == nullptr) {
     return QStringLiteral("–");
   }
-  const QString text = significant(*number * key_unit(spec.unit).factor, 5);
+  const QString text = significant_number(*number * key_unit(spec.unit).factor, 5);
   const auto source = machine.provenance.find(axis_key(axis, spec.key));
   return source != machine.provenance.end() && source->second.assumed ? QStringLiteral("<i>%1</i>").arg(text)
                                                                       : text;
