@@ -21,6 +21,7 @@ namespace {
 constexpr double question_chart_height = 150;  // [1/96 inch]
 constexpr double question_view_height = 210;
 constexpr std::size_t most_circles = 4;
+constexpr const char* causes_caption = "What limits the feed along the path: {}.";
 
 /// A caption of a picture in the language of the lesson.
 QString caption(const char* english, const Lesson& lesson, const std::string& what) {
@@ -130,7 +131,7 @@ QString view_figure(const Lesson& lesson, const Question& question, ReportInput 
     picture.paint(painter, QRectF(QPointF(), size), scale);
   };
   const std::string watched = title_of(question.watch, lesson.language);
-  const char* english = times ? "Where to look: {}." : "What limits the feed along the path: {}.";
+  const char* english = times ? "Where to look: {}." : causes_caption;
   return figure(pictures.add(name, {size, true, paint}, QString::fromStdString(watched)),
                 caption(english, lesson, watched));
 }
@@ -170,11 +171,11 @@ QString question_figure(const Lesson& lesson, std::size_t index, const ReportInp
   const Question& question = lesson.questions[index];
   const Measure& watch = question.watch;
   const auto name_of = [](auto number) { return QStringLiteral("question%1").arg(number + 1); };
-  const auto shown_by = [&](const QString& picture) {
+  const auto shown_by = [&](const QString& picture, const char* english = "Already shown: {}") {
     return !pictures.all().contains(picture)
                ? QString()
                : QStringLiteral("<p class=\"caption\">%1%2</p>\n")
-                     .arg(caption("Already shown: {}", lesson, title_of(watch, lesson.language)),
+                     .arg(caption(english, lesson, title_of(watch, lesson.language)),
                           figure_reference(picture));
   };
   const auto earlier = std::ranges::find_if(lesson.questions, [&](const Question& one) {
@@ -215,12 +216,12 @@ QString question_figure(const Lesson& lesson, std::size_t index, const ReportInp
     return view_figure(lesson, question, seen, times_of(watch, shown), name, pictures);
   }
   if (question.with.empty() && start.scene.colouring == Colouring::cause) {
-    return shown_by(QStringLiteral("view"));
+    return shown_by(QStringLiteral("view"), causes_caption);
   }
   const auto same_run = std::ranges::find(lesson.questions, question.with, &Question::with);
   const QString causes = QStringLiteral("causes%1").arg(same_run - lesson.questions.begin() + 1);
   if (pictures.all().contains(causes)) {
-    return shown_by(causes);
+    return shown_by(causes, causes_caption);
   }
   seen.scene.colouring = Colouring::cause;
   return view_figure(lesson, question, seen, std::nullopt, causes, pictures);
