@@ -27,7 +27,7 @@ code { font-family: "DejaVu Sans Mono", monospace; font-size: 12px; }
 table.setup { border-collapse: collapse; margin: 11px 0; }
 table.setup td { padding: 2px 19px 2px 0; vertical-align: top; }
 .name { color: #555; }
-table.question { border-collapse: collapse; width: 100%; margin: 14px 0; }
+table.question { border-collapse: collapse; width: 100%; margin: 7px 0; }
 table.question td { break-inside: avoid; }
 .question h2 { margin-top: 0; }
 .hint { color: #555; font-size: 13px; }
@@ -35,7 +35,7 @@ table.lines { border-collapse: collapse; width: 100%; }
 table.lines td { border-bottom: 1px solid #999; height: 27px; font-size: 17px; }
 table.blank { border-collapse: collapse; width: 100%; margin: 8px 0; }
 table.blank td, table.blank th { border: 1px solid #999; padding: 3px 6px; font-size: 12px; text-align: left; height: 22px; }
-.transfer p { line-height: 200%; }
+.transfer p { line-height: 175%; }
 .written { font-style: italic; color: #16324f; margin: 6px 0; }
 table.claims { border-collapse: collapse; width: 100%; margin: 6px 0 12px; }
 table.claims td, table.claims th { border-bottom: 1px solid #ccc; padding: 3px 8px 3px 0; font-size: 12px; text-align: left; vertical-align: top; }
@@ -162,7 +162,7 @@ std::string transfer_html(const Lesson& lesson, const HandoutContents& contents)
   const std::string text = text_html(lesson.transfer, contents.numbers);
   return contents.reader == HandoutReader::teacher
              ? heading + text
-             : unbroken(heading + "<div class=\"transfer\">" + std::regex_replace(text, gap, "____________") +
+             : unbroken(heading + "<div class=\"transfer\">" + std::regex_replace(text, gap, "__________") +
                         "</div>\n");
 }
 

@@ -52,7 +52,7 @@ TEST_F(Handout, LearnersGetThePredictionFirstThenRoomForTheirValuesAndNoHelp) {
                           HasSubstr("<th width=\"34%\">X.jerk</th>"), HasSubstr("<td>my value:</td>")));
   EXPECT_LT(html.find("Before you look"), html.find("Question 1"));
   EXPECT_GT(html.find("On my control"), html.find("Question 2"));
-  EXPECT_THAT(html, AllOf(HasSubstr("a radius of ____________ mm allows"), Not(HasSubstr("…"))));
+  EXPECT_THAT(html, AllOf(HasSubstr("a radius of __________ mm allows"), Not(HasSubstr("…"))));
   EXPECT_THAT(html, AllOf(Not(HasSubstr("All four of")), Not(HasSubstr("Answer")), Not(HasSubstr("Hint")),
                           Not(HasSubstr("Sources"))));
 }
