@@ -14,6 +14,7 @@
 #include "core/base/error.h"
 #include "core/base/geometry.h"
 #include "core/machine/import/machine_import.h"
+#include "core/machine/key_unit.h"
 #ifdef FEEDSCOPE_WITH_UI
 #include "app/commands/language_option.h"
 #include "ui/report/kinematics_picture.h"
@@ -35,6 +36,16 @@ std::string source_text(const Machine& machine, const std::string& key) {
 std::string value_text(const SettingValue& value) {
   const double* number = std::get_if<double>(&value);
   return number != nullptr ? fmt::format("{}", *number) : std::get<std::string>(value);
+}
+
+/// Unit of a key, and for a value that data sheets often give in another unit, the value in that: "m/s2 =
+/// 0.51 g".
+std::string unit_text(const SettingValue& value, const std::string& unit) {
+  const DataSheetUnit other = data_sheet_unit(unit);
+  const double* number = std::get_if<double>(&value);
+  return number == nullptr || other.name.empty()
+             ? unit
+             : fmt::format("{} = {:.4g} {}", unit, *number / other.factor, other.name);
 }
 
 void list_machines() {
@@ -75,9 +86,9 @@ void show_machine(const std::string& id) {
   for (const char axis : axis_names(machine)) {
     for (const SettingSpec& spec : axis_specs_of(axis)) {
       const std::string key = fmt::format("{}.{}", axis, spec.key);
-      const std::string value = value_text(axis_value(machine, axis, spec.key));
-      if (!value.empty()) {
-        table.add({key, value, spec.unit, source_text(machine, key)});
+      const SettingValue value = axis_value(machine, axis, spec.key);
+      if (const std::string text = value_text(value); !text.empty()) {
+        table.add({key, text, unit_text(value, spec.unit), source_text(machine, key)});
       }
     }
   }

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <regex>
 
 #include "core/base/error.h"
 #include "core/base/markdown.h"
@@ -26,7 +27,7 @@ code { font-family: "DejaVu Sans Mono", monospace; font-size: 12px; }
 table.setup { border-collapse: collapse; margin: 11px 0; }
 table.setup td { padding: 2px 19px 2px 0; vertical-align: top; }
 .name { color: #555; }
-table.question { border-collapse: collapse; width: 100%; margin: 14px 0; }
+table.question { border-collapse: collapse; width: 100%; margin: 7px 0; }
 table.question td { break-inside: avoid; }
 .question h2 { margin-top: 0; }
 .hint { color: #555; font-size: 13px; }
@@ -34,6 +35,7 @@ table.lines { border-collapse: collapse; width: 100%; }
 table.lines td { border-bottom: 1px solid #999; height: 27px; font-size: 17px; }
 table.blank { border-collapse: collapse; width: 100%; margin: 8px 0; }
 table.blank td, table.blank th { border: 1px solid #999; padding: 3px 6px; font-size: 12px; text-align: left; height: 22px; }
+.transfer p { line-height: 175%; }
 .written { font-style: italic; color: #16324f; margin: 6px 0; }
 table.claims { border-collapse: collapse; width: 100%; margin: 6px 0 12px; }
 table.claims td, table.claims th { border-bottom: 1px solid #ccc; padding: 3px 8px 3px 0; font-size: 12px; text-align: left; vertical-align: top; }
@@ -67,6 +69,20 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
+/// Joins numbers with their units, and fractions and equations, by no-break spaces.
+std::string kept_together(const std::string& text) {
+  static const std::regex before_unit(R"((\d) (?=m/|1/|(?:m|mm|µm|ms|min|s|g|N|%)(?!\w)))");
+  static const std::regex fraction(" / ");
+  static const std::regex before_sign(" (?==|≤|≥)");
+  const std::string units = std::regex_replace(text, before_unit, "$1\u00a0");
+  return std::regex_replace(std::regex_replace(units, fraction, "\u00a0/\u00a0"), before_sign, "\u00a0");
+}
+
+/// HTML of a text of the lesson.
+std::string text_html(const std::string& text, const WrittenNumbers& numbers) {
+  return markdown_as_html(kept_together(filled(text, numbers)));
+}
+
 std::string row(const std::string& name, const std::string& value) {
   return fmt::format("<tr><td class=\"name\">{}</td><td>{}</td></tr>\n", escaped(name), escaped(value));
 }
@@ -77,8 +93,7 @@ std::string setup_table(const Lesson& lesson, const SettingWords& words) {
   const ModelInfo& model = start.setup.model->info();
   std::string table = "<table class=\"setup\">\n";
   table += row(word("Program"), start.program.filename().string());
-  table +=
-      row(word("Machine"), fmt::format("{} ({})", start.setup.machine.name, start.setup.machine.control));
+  table += row(word("Machine"), start.setup.machine.name);
   table += row(word("Control model"),
                fmt::format(fmt::runtime(word("{}: {}")), model.id, word(std::string(model.title))));
   for (const std::string& change : lesson.start) {
@@ -119,42 +134,59 @@ std::string written_or_lines(const std::string& written, int lines) {
   return fmt::format("<p class=\"written\">{}</p>\n", html);
 }
 
-/// A text to answer or complete by hand; "" without one. `written`: a learner's answer.
-std::string written_part(const char* heading, const std::string& text, int lines, const Lesson& lesson,
-                         const HandoutContents& contents, const std::string& written = {}) {
-  if (text.empty()) {
+/// A part that stays on one page.
+std::string unbroken(const std::string& part) {
+  return "<table class=\"question\" width=\"100%\"><tr><td>\n" + part + "</td></tr></table>\n";
+}
+
+/// The prediction, with room to write it where it is not written; "" without one.
+std::string prediction_html(const Lesson& lesson, const HandoutContents& contents) {
+  if (lesson.predict.empty()) {
     return {};
   }
-  const std::string part = fmt::format("<h2>{}</h2>\n{}", lesson_word(heading, lesson.language),
-                                       markdown_as_html(filled(text, contents.numbers)));
+  constexpr int lines = 2;
+  const std::string part = fmt::format("<h2>{}</h2>\n{}", lesson_word("Before you look", lesson.language),
+                                       text_html(lesson.predict, contents.numbers));
   return contents.reader == HandoutReader::teacher
              ? part
-             : "<table class=\"question\" width=\"100%\"><tr><td>\n" + part +
-                   written_or_lines(written, lines) + "</td></tr></table>\n";
+             : unbroken(part + written_or_lines(contents.work.prediction, lines));
+}
+
+/// The sentence to complete, with room for a word or a number in place of each "…"; "" without one.
+std::string transfer_html(const Lesson& lesson, const HandoutContents& contents) {
+  if (lesson.transfer.empty()) {
+    return {};
+  }
+  static const std::regex gap("…");
+  const std::string heading = fmt::format("<h2>{}</h2>\n", lesson_word("On my control", lesson.language));
+  const std::string text = text_html(lesson.transfer, contents.numbers);
+  return contents.reader == HandoutReader::teacher
+             ? heading + text
+             : unbroken(heading + "<div class=\"transfer\">" + std::regex_replace(text, gap, "__________") +
+                        "</div>\n");
 }
 
 std::string task_html(const Question& question, std::size_t number, const HandoutContents& contents,
                       const std::string& language) {
   const WrittenNumbers& numbers = contents.numbers;
   const auto word = [&](const std::string& english) { return lesson_word(english, language); };
-  std::string html = fmt::format("<h2>{} {}</h2>\n{}", word("Question"), number,
-                                 markdown_as_html(filled(question.text, numbers)));
+  std::string html =
+      fmt::format("<h2>{} {}</h2>\n{}", word("Question"), number, text_html(question.text, numbers));
   std::string first;
   if (!question.with.empty()) {
     std::vector<std::string> set;
     for (const std::string& assignment : question.with) {
       set.push_back(change_text(assignment, language, contents.words));
     }
-    first =
-        fmt::format("<b>{}</b> {}<br>", word("First set"), escaped(fmt::format("{}", fmt::join(set, "; "))));
+    first = fmt::format("<b>{}</b> {}<br>", word("First set"),
+                        escaped(fmt::format("{}", fmt::join(set, word("; ")))));
   }
   html += fmt::format("<p>{}<b>{}</b> {}<br><b>{}</b> {}</p>\n", first, word("Move"),
                       escaped(control_text(question.control, language, contents.words)), word("Watch"),
                       escaped(watched_text(question, language)));
   if (!question.hint.empty() && contents.reader != HandoutReader::learners) {
-    html += fmt::format(
-        "<div class=\"hint\">{}</div>\n",
-        markdown_as_html(fmt::format(fmt::runtime(word("*Hint:* {}")), filled(question.hint, numbers))));
+    html += fmt::format("<div class=\"hint\">{}</div>\n",
+                        text_html(fmt::format(fmt::runtime(word("*Hint:* {}")), question.hint), numbers));
   }
   return html;
 }
@@ -182,7 +214,7 @@ std::string table_of_tries(const Question& question, const std::vector<LessonTry
   const bool of_time = question.watch.spec->key == "cycle_time_s" && question.watch.first_line == 0;
   std::string html = "<table class=\"blank\" width=\"100%\" border=\"1\" cellspacing=\"0\"><tr>";
   html += fmt::format(
-      "<th width=\"34%\">{} ({})</th><th width=\"{}%\">{} [s]</th>", word("Values tried"),
+      "<th width=\"34%\">{}</th><th width=\"{}%\">{} [s]</th>",
       escaped(contents.words.title ? contents.words.title(question.control.key) : question.control.key),
       of_time ? 66 : 33, word("cycle time"));
   html += of_time ? std::string()
@@ -211,14 +243,12 @@ std::string table_of_tries(const Question& question, const std::vector<LessonTry
 
 std::string learners_question(const Lesson& lesson, std::size_t index, const HandoutContents& contents) {
   const Question& question = lesson.questions[index];
-  std::string html = "<table class=\"question\" width=\"100%\"><tr><td>\n";
   constexpr int lines = 2;
   const std::vector<LearnersWork::Answer>& answers = contents.work.answers;
   const LearnersWork::Answer answer = index < answers.size() ? answers[index] : LearnersWork::Answer();
-  html += task_html(question, index + 1, contents, lesson.language) +
-          table_of_tries(question, answer.tries, contents, lesson.language) +
-          written_or_lines(answer.text, lines);
-  return html + "</td></tr></table>\n";
+  return unbroken(task_html(question, index + 1, contents, lesson.language) +
+                  table_of_tries(question, answer.tries, contents, lesson.language) +
+                  written_or_lines(answer.text, lines));
 }
 
 /// Table of the claims that the answer builds on, with the simulated values.
@@ -243,7 +273,8 @@ std::string claims_table(const Lesson& lesson, std::size_t index, const HandoutC
     html += fmt::format(
         "<tr><td>{}</td><td>{}</td><td>{}{}</td></tr>\n",
         escaped(quantity_text(claims[i].quantity, lesson.language, contents.words)),
-        escaped(expectation_text(claims[i], lesson.language, contents.words)), escaped(computed),
+        escaped(kept_together(expectation_text(claims[i], lesson.language, contents.words))),
+        escaped(kept_together(computed)),
         result.holds ? std::string() : fmt::format(" <b class=\"fails\">{}</b>", word("does not hold")));
   }
   return html + "</table>\n";
@@ -254,13 +285,13 @@ std::string answer_html(const Lesson& lesson, std::size_t index, const HandoutCo
   const Question& question = lesson.questions[index];
   std::string html = "<div class=\"answer\">\n";
   if (with_task) {
-    html += task_html(question, index + 1, contents, lesson.language) + figure_of(contents, index);
+    html += unbroken(task_html(question, index + 1, contents, lesson.language)) + figure_of(contents, index);
     html += fmt::format("<h3>{}</h3>\n", lesson_word("Answer", lesson.language));
   } else {
     html += fmt::format("<h2>{} {}</h2>\n", lesson_word("Question", lesson.language), index + 1);
   }
-  return html + markdown_as_html(filled(question.answer, contents.numbers)) +
-         claims_table(lesson, index, contents) + "</div>\n";
+  return html + text_html(question.answer, contents.numbers) + claims_table(lesson, index, contents) +
+         "</div>\n";
 }
 
 /// Sources of a lesson and of its numbers.
@@ -323,13 +354,12 @@ std::string handout_html(const Lesson& lesson, const HandoutContents& contents) 
   if (contents.reader != HandoutReader::everybody) {
     html += fmt::format("<p><b>{}</b></p>\n", word(of_teacher ? "For the teacher" : "For learners"));
   }
-  html += setup_table(lesson, contents.words) + markdown_as_html(filled(lesson.text, contents.numbers)) +
-          contents.figures +
-          written_part("Before you look", lesson.predict, 2, lesson, contents, contents.work.prediction);
+  html += setup_table(lesson, contents.words) + text_html(lesson.text, contents.numbers) + contents.figures +
+          prediction_html(lesson, contents) + contents.charts;
   for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
     html += of_teacher ? answer_html(lesson, i, contents, true) : learners_question(lesson, i, contents);
   }
-  html += written_part("On my control", lesson.transfer, 1, lesson, contents);
+  html += transfer_html(lesson, contents);
   if (contents.reader == HandoutReader::everybody) {
     html += fmt::format("<h1 class=\"answers\">{}</h1>\n", word("Answers"));
     for (std::size_t i = 0; i < lesson.questions.size(); ++i) {

@@ -45,6 +45,7 @@ struct HandoutContents {
   WrittenNumbers numbers;                        ///< from LessonRuns::numbers()
   std::vector<std::vector<ClaimResult>> claims;  ///< per question; may be shorter
   std::string figures;                           ///< HTML of pictures of the initial situation
+  std::string charts;                            ///< the same, after the prediction
   std::vector<std::string> question_figures;     ///< for the teacher, per question; may be shorter
   SettingWords words = {};                       ///< titles with their units, in the language of the lesson
   LearnersWork work = {};                        ///< not for the teacher

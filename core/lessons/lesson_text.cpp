@@ -42,7 +42,7 @@ std::string changes_text(const Changes& changes, const std::string& language, co
   for (const std::string& change : changes) {
     texts.push_back(change_text(change, language, words));
   }
-  return in_words("with {}", language, fmt::format("{}", fmt::join(texts, "; ")));
+  return in_words("with {}", language, fmt::format("{}", fmt::join(texts, lesson_word("; ", language))));
 }
 
 /// Calls `found` for every number in `text` that is not part of a word, with the text after it.

@@ -3,6 +3,7 @@
 namespace feedscope::test {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
@@ -55,6 +56,12 @@ TEST_F(MachinesCommand, RefusesWhatItCannotImport) {
   expect_wrong_use("machines import router.txt --out router.txt", "router.txt");
   expect_wrong_use("machines import router.txt --out none/a.toml", "none/a.toml");
   EXPECT_THAT(contents(folder_ / "router.txt"), StartsWith("$11"));
+}
+
+TEST_F(MachinesCommand, ShowsUnitsOfDataSheetsToo) {
+  EXPECT_THAT(run("machines spinner-mvc850").out, ContainsRegex("X.acceleration +1 +m/s2 = 0.102 g +Essid"));
+  EXPECT_THAT(run("machines mikron-ucp710").out,
+              ContainsRegex("X.kv +60 +1/s = 3.6 \\(m/min\\)/mm +assumed"));
 }
 
 TEST_F(MachinesCommand, DrawsTheKinematicsOfMachinesWithRotaryAxes) {

@@ -142,13 +142,8 @@ void LessonDesk::open(const std::filesystem::path& file, bool then_set_up) {
 
 void LessonDesk::take(const std::shared_ptr<const OpenLesson>& lesson) {
   open_ = lesson;
-  program_.clear();
-  try {
-    program_ = set_up(open_->lesson, {}).program;
-  } catch (const std::exception& error) {
-    report(error);
-  }
   question_ = 0;
+  find_programs();
   view_pending_ = false;
   emit opened();
   emit question_changed();
@@ -230,7 +225,6 @@ void LessonDesk::set_up_window() {
     }
     emit set_up_begins();
     view_pending_ = true;
-    program_ = start.program;
     workbench_.open(start.program, std::move(runs), 0, {}, start.setup.load);
   } catch (const std::exception& error) {
     report(error);
@@ -240,6 +234,7 @@ void LessonDesk::set_up_window() {
 void LessonDesk::choose_question(std::size_t number) {
   if (open_ != nullptr && number < open_->lesson.questions.size() && number != question_) {
     question_ = number;
+    find_programs();
     emit question_changed();
     measure();
   }
@@ -254,7 +249,6 @@ void LessonDesk::move_control(const std::string& value) {
   changes.push_back(question.control.key + "=" + value);
   try {
     const LessonSetup moved = set_up(open_->lesson, changes);
-    program_ = moved.program;
     RunList& runs = workbench_.runs();
     if (moved.program == workbench_.file()) {
       runs.set_setup(runs.current(), state_of(moved),
@@ -278,10 +272,26 @@ void LessonDesk::follow_run() {
   measure();
 }
 
+void LessonDesk::find_programs() {
+  programs_.clear();
+  const Question& question = open_->lesson.questions[question_];
+  const bool of_programs = question.control.key == "program";
+  try {
+    programs_.insert(set_up(open_->lesson, question.with).program);
+    for (const std::string& value : of_programs ? question.control.values : std::vector<std::string>()) {
+      Changes changes = question.with;
+      changes.push_back(question.control.key + "=" + value);
+      programs_.insert(set_up(open_->lesson, changes).program);
+    }
+  } catch (const std::exception& error) {
+    report(error);
+  }
+}
+
 void LessonDesk::measure() {
   const auto shown = workbench_.shown();
-  // With another program open, its value would appear under the lesson's question.
-  if (open_ == nullptr || shown == nullptr || workbench_.file() != program_) {
+  // With another program open, such as that of another question, its value would appear under this question.
+  if (open_ == nullptr || shown == nullptr || !programs_.contains(workbench_.file())) {
     measuring_.cancel();
     if (!value_.isEmpty()) {
       value_.clear();
@@ -290,7 +300,7 @@ void LessonDesk::measure() {
     return;
   }
   measuring_.start(
-      [open = open_, number = question_, shown, program = program_](JobControl&) {
+      [open = open_, number = question_, shown, program = workbench_.file()](JobControl&) {
         const Question& question = open->lesson.questions[number];
         Measured result{measured_text(question.watch, shown->run, open->lesson.language), {}};
         if (auto value = tried_value(open->lesson, question, program, shown->run)) {

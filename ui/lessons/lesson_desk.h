@@ -133,6 +133,7 @@ class LessonDesk : public QObject {
   static std::shared_ptr<const OpenLesson> read(const std::filesystem::path& file,
                                                 const std::string& language, Progress& progress);
   void take(const std::shared_ptr<const OpenLesson>& lesson);
+  void find_programs();
   void measure();
   Place place() const { return {open_->lesson.id, question_}; }
   void follow_run();
@@ -142,7 +143,7 @@ class LessonDesk : public QObject {
   std::string language_;
   std::vector<LessonEntry> entries_;
   std::shared_ptr<const OpenLesson> open_;
-  std::filesystem::path program_;  ///< program of the open lesson's numbers
+  std::set<std::filesystem::path> programs_;  ///< in which the current question can be measured
   std::size_t question_ = 0;
   QString value_;
   bool view_pending_ = false;

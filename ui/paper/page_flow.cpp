@@ -215,7 +215,8 @@ Item FlowReader::read_table(QTextTable& table) {
     edges_.push_back((rows[row].bottom + rows[row + 1].top) / 2);
   }
   tops_.push_back(rows.front().top - padding);
-  bottoms_.push_back(rows.back().bottom + padding);
+  const double frame = layout_.frameBoundingRect(&table).bottom() - table.format().bottomMargin();
+  bottoms_.push_back(std::max(rows.back().bottom + padding, frame));  // rows may be higher than their text
   const bool figures = is_figures(table);
   const int heads = std::min(table.format().headerRowCount(), table.rows() - 1);
   if (heads > 0) {

@@ -74,18 +74,18 @@ ReportPage handout_page(const Lesson& lesson, LessonRuns& runs, HandoutReader re
   if (!of_teacher) {                                  // a learner who has to predict sees the path only
     input.scene.colouring = Colouring::run;
   }
-  QString figures;
   if (!is_straight(*input.run().shown->samples)) {
     ReportInput alone = without_other_runs(input);
     alone.texts = without_line_names(std::move(alone.texts));  // they would lie over so low a picture
-    figures += run_view(alone, page.pictures, view_height,
-                        caption(of_teacher ? "Programmed and executed path of {}." : "Path of {}."));
+    contents.figures = run_view(alone, page.pictures, view_height,
+                                caption(of_teacher ? "Programmed and executed path of {}." : "Path of {}."))
+                           .toStdString();
   }
   if (of_teacher) {
-    figures += run_charts(input, input.current, page.pictures, charts_height,
-                          caption("Feed with its limiting causes, acceleration and jerk of {}."));
+    contents.charts = run_charts(input, input.current, page.pictures, charts_height,
+                                 caption("Feed with its limiting causes, acceleration and jerk of {}."))
+                          .toStdString();
   }
-  contents.figures = figures.toStdString();
   for (std::size_t i = 0; of_teacher && i < lesson.questions.size(); ++i) {
     contents.question_figures.push_back(
         question_figure(lesson, i, input, runs, page.pictures, progress).toStdString());

@@ -4,7 +4,7 @@
 
 namespace feedscope::ui {
 
-/// Text, or HTML, in which units after numbers do not break at their slash: "9 m/min" remains on one line.
+/// Text, or HTML, in which units do not break at their slash: "m/min", "[m/s³]", "(m/min)/mm".
 QString with_whole_units(QString text);
 
 }  // namespace feedscope::ui

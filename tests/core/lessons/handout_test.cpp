@@ -27,9 +27,10 @@ TEST_F(Handout, HoldsTheLessonAndItsAnswersAtTheEnd) {
                             {{"time", "1.23 s"}, {"less", "12 %"}, {"feed", "3000 mm/min"}},
                             {},
                             {},
+                            {},
                             {}});
   EXPECT_THAT(html, AllOf(HasSubstr("<h1>A &lt; B &amp; C</h1>"),
-                          HasSubstr("It takes 1.23 s at 3000 mm/min."), HasSubstr("How long?"),
+                          HasSubstr("It takes 1.23\u00a0s at 3000\u00a0mm/min."), HasSubstr("How long?"),
                           HasSubstr("tolerance: 0.05, 0.1"), HasSubstr("time limited by axis jerk [s]"),
                           HasSubstr("<b>First set</b> lookahead_blocks: 4"), HasSubstr("Look."),
                           HasSubstr("Nobody 2020"), HasSubstr("lesson_right_angle.nc"),
@@ -37,7 +38,7 @@ TEST_F(Handout, HoldsTheLessonAndItsAnswersAtTheEnd) {
   EXPECT_THAT(html, Not(HasSubstr("http"))) << "nothing is loaded from elsewhere";
   const std::size_t answers = html.find(">Answers</h1>");
   ASSERT_NE(answers, std::string::npos);
-  EXPECT_GT(html.find("12 % less."), answers);
+  EXPECT_GT(html.find("12\u00a0% less."), answers);
   EXPECT_LT(html.find("How long?"), answers);
 }
 
@@ -48,9 +49,10 @@ TEST_F(Handout, LearnersGetThePredictionFirstThenRoomForTheirValuesAndNoHelp) {
   EXPECT_TRUE(contents.claims.empty());
   const std::string html = handout_html(lesson, contents);
   EXPECT_THAT(html, AllOf(HasSubstr("Which feed do the circles of"), HasSubstr("class=\"lines\""),
-                          HasSubstr("Values tried (X.jerk)"), HasSubstr("<td>my value:</td>")));
+                          HasSubstr("<th width=\"34%\">X.jerk</th>"), HasSubstr("<td>my value:</td>")));
   EXPECT_LT(html.find("Before you look"), html.find("Question 1"));
   EXPECT_GT(html.find("On my control"), html.find("Question 2"));
+  EXPECT_THAT(html, AllOf(HasSubstr("a radius of __________ mm allows"), Not(HasSubstr("…"))));
   EXPECT_THAT(html, AllOf(Not(HasSubstr("All four of")), Not(HasSubstr("Answer")), Not(HasSubstr("Hint")),
                           Not(HasSubstr("Sources"))));
 }
@@ -82,7 +84,27 @@ TEST_F(Handout, CallsSettingsAsItIsTold) {
   HandoutContents contents = handout_contents(lesson, runs, HandoutReader::learners);
   contents.words.title = [](const std::string& key) { return "<" + key + ">"; };
   const std::string html = handout_html(lesson, contents);
-  EXPECT_THAT(html, AllOf(HasSubstr("Values tried (&lt;X.jerk&gt;)"), HasSubstr("&lt;X.jerk&gt;: 5, 10")));
+  EXPECT_THAT(html,
+              AllOf(HasSubstr("<th width=\"34%\">&lt;X.jerk&gt;</th>"), HasSubstr("&lt;X.jerk&gt;: 5, 10")));
+}
+
+TEST_F(Handout, FormulasAndUnitsAreNotParted) {
+  const Lesson lesson = read_lesson(find_lesson("data_sheet"));
+  LessonRuns runs(lesson);
+  const std::string html = handout_html(lesson, handout_contents(lesson, runs, HandoutReader::teacher));
+  EXPECT_THAT(html, AllOf(HasSubstr("Δv\u00a0≤ A²\u00a0/\u00a0J"), HasSubstr("100\u00a0mm at 3\u00a0m/min")));
+}
+
+TEST_F(Handout, TheChartsFollowThePrediction) {
+  const Lesson lesson = read_lesson(find_lesson("small_circle"));
+  LessonRuns runs(lesson);
+  HandoutContents contents = handout_contents(lesson, runs, HandoutReader::teacher);
+  contents.figures = "PATH";
+  contents.charts = "CHARTS";
+  const std::string html = handout_html(lesson, contents);
+  EXPECT_LT(html.find("PATH"), html.find("Before you look"));
+  EXPECT_LT(html.find("Before you look"), html.find("CHARTS"));
+  EXPECT_LT(html.find("CHARTS"), html.find("Question 1"));
 }
 
 TEST_F(Handout, TheTeacherGetsAnswersAndWhatTheyBuildOn) {

@@ -99,6 +99,8 @@ TEST_F(LessonDeskTest, AQuestionMayNeedAnotherProgram) {
   desk.set_up_window();
   wait_for("3000 mm/min");
   desk.choose_question(1);
+  QTest::qWait(50);
+  EXPECT_EQ(desk.value(), "") << "of " << model.file();
   desk.move_control("4");
   EXPECT_TRUE(QTest::qWaitFor(
       [&] {

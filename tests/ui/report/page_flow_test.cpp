@@ -47,6 +47,21 @@ TEST(PageFlow, AHeadingStaysWithWhatFollows) {
   }
 }
 
+/// The rule below the last line of a form is at the end of its row, which is higher than its text.
+TEST(PageFlow, TheLastRowOfATableIsDrawnToItsEnd) {
+  for (const char* after : {"", "<h2>Next</h2><p>text</p>"}) {
+    QTextDocument document;
+    lay_out(document, paragraph(20) +
+                          "<table width=\"100%\"><tr><td style=\"padding-bottom: 40px\">.</td></tr></table>" +
+                          after);
+    QTextFrame& form = *document.rootFrame()->childFrames().front();
+    const double end = document.documentLayout()->frameBoundingRect(&form).bottom();
+    const std::vector<PagePart> pages = page_parts(document, end + 4);
+    EXPECT_GE(pages.front().clip_bottom, end) << after;
+    EXPECT_EQ(pages.size(), *after == 0 ? 1U : 2U);
+  }
+}
+
 /// The page on which a text begins.
 std::size_t page_of(const QTextDocument& document, const std::vector<PagePart>& pages, const QString& text) {
   for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {

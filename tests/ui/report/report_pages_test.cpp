@@ -67,6 +67,7 @@ class HandoutPages : public testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(HandoutPages, AreWellFilledAndKeepTogetherWhatBelongsTogether) {
   for (const std::string& language : lesson_languages()) {
+    speak(QString::fromStdString(language));  // titles of settings are those of the window
     const Lesson lesson = read_lesson(GetParam(), language);
     LessonRuns runs(lesson);
     for (const HandoutReader reader :
@@ -76,10 +77,12 @@ TEST_P(HandoutPages, AreWellFilledAndKeepTogetherWhatBelongsTogether) {
       EXPECT_TRUE(reader != HandoutReader::teacher || !page.pictures.all().empty());
       check(page);
       if (reader == HandoutReader::learners) {
-        EXPECT_EQ(PagedDocument(page.html, page.pictures).pages().size(), 2U);
+        EXPECT_EQ(PagedDocument(page.html, page.pictures).pages().size(), 2U) << language;
       }
     }
   }
+  speak(languages().front());
+  QLocale::setDefault(QLocale::c());
 }
 
 TEST(Handout, ItsFiguresAreExplainedInTheLanguageOfTheLesson) {

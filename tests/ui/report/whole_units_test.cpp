@@ -9,8 +9,8 @@ namespace feedscope::ui {
 namespace {
 
 TEST(WholeUnits, AreNotBrokenAtTheirSlash) {
-  const QString text =
-      with_whole_units(QStringLiteral("circles at 6 m/min, 9 m/min, 12 m/min and 10 m/s³ at 500 mm/min"));
+  const QString text = with_whole_units(
+      QStringLiteral("circles at 6 m/min, 9 m/min, jerk [m/s³], Kv in (m/min)/mm is 16.7 1/s"));
   for (int width = 40; width < 400; width += 7) {
     QTextLayout layout(text, QFont());
     layout.beginLayout();
@@ -26,7 +26,8 @@ TEST(WholeUnits, AreNotBrokenAtTheirSlash) {
 }
 
 TEST(WholeUnits, LeaveOtherSlashesAlone) {
-  for (const char* text : {"programs/part 5 m/other.nc", "<p>7/min</p>", "5 </p>", "v² / R", "3 m/machine"}) {
+  for (const char* text : {"programs/part 5 m/other.nc", "a/mm/s", "base64,+m/s+1/s/", "<p>7/min</p>",
+                           "5 </p>", "v² / R", "3 m/machine"}) {
     EXPECT_EQ(with_whole_units(QString::fromUtf8(text)), QString::fromUtf8(text));
   }
 }
