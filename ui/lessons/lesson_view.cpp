@@ -366,8 +366,8 @@ void LessonView::showEvent(QShowEvent* event) {
 }
 
 bool LessonView::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == tries_ && event->type() == QEvent::Resize) {
-    sharing_.start();  // a tried value takes room
+  if (watched == tries_ && event->type() == QEvent::Resize && tries_->rowCount() < 2) {
+    sharing_.start();  // with the first values; later ones leave the buttons in place
   }
   return Panel::eventFilter(watched, event);
 }

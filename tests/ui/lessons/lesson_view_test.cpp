@@ -216,6 +216,24 @@ TEST_F(LessonViewTest, ChangesStandBelowTheNumbersInANarrowPanel) {
   EXPECT_THAT(copied_tries(view), HasSubstr("\t1500\t−50.0\n"));
 }
 
+TEST_F(LessonViewTest, ATryLeavesTheButtonsInPlace) {
+  choose_lesson(6);
+  click(&view.set_up_button());
+  wait_for("3000 mm/min");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 1; }, patience));
+  constexpr int laid_out = 50;  // [ms]
+  QTest::qWait(laid_out);
+  const auto place = [this] { return view.values()[2]->mapTo(&view, QPoint()).y(); };
+  const int before = place();
+  for (const std::size_t value : {std::size_t{2}, std::size_t{1}}) {
+    const int rows = view.tries().rowCount();
+    click(view.values()[value]);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() > rows; }, patience));
+    QTest::qWait(laid_out);
+    EXPECT_EQ(place(), before) << "after " << rows << " values";
+  }
+}
+
 TEST_F(LessonViewTest, TriesLastUntilTheyAreCleared) {
   choose_lesson(6);
   click(&view.set_up_button());
