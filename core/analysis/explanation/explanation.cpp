@@ -29,7 +29,8 @@ void drop_if_far_off(Reason& reason) {
   }
 }
 
-/// Follows the pieces that brake for the same place, starting at `state.time`.
+/// Follows the pieces that brake for the same place, starting at `state.time`. What brakes from a higher
+/// speed than was reached brakes for another place.
 SlowerPlace find_slower_place(const Run& run, const ReasonFinder& reasons, const State& state) {
   constexpr int max_looks = 64;  // boundaries examined closely where nodes lower each other
   const Trajectory& trajectory = *run.trajectory;
@@ -46,7 +47,13 @@ SlowerPlace find_slower_place(const Run& run, const ReasonFinder& reasons, const
     while (next < count && !brakes(next) && is_between(trajectory, next)) {
       ++next;
     }
-    const bool brakes_on = brakes(next);
+    const auto speeds_up = [&] {
+      constexpr double rounding = 1e-6;
+      const double reached = trajectory.state(trajectory.piece_end(piece)).speed;
+      return next != piece + 1 &&
+             trajectory.state(trajectory.pieces()[next].time).speed > (1 + rounding) * reached + rounding;
+    };
+    const bool brakes_on = brakes(next) && !speeds_up();
     if (!brakes_on || looks < max_looks) {
       there = trajectory.state(trajectory.piece_end(piece));
       reason = reasons.find_at_start(there, state.slower_place);

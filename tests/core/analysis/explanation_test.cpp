@@ -278,16 +278,25 @@ TEST_P(ExplanationNumbers, AreSizes) {
       }
       EXPECT_GE(reason.formula.value(), 0) << name << " at " << time << " s: " << reason.formula.text();
     };
-    constexpr int instants = 400;
-    for (int i = 0; i <= instants; ++i) {
-      const State state = run.trajectory->state(run.trajectory->duration() * i / instants);
+    const auto look = [&](const State& state) {
       const Explanation why = explain(run, state);
       check(why.reason, state.time);
       if (why.ahead) {
         check(why.ahead->reason, state.time);
         EXPECT_GE(why.ahead->path_length - state.path_length, -1e-9) << name << " at " << state.time << " s";
         EXPECT_GE(why.ahead->time, state.time) << name;
+        EXPECT_LE(why.ahead->speed, (1 + 1e-6) * state.speed + 1e-6) << name << " at " << state.time << " s";
       }
+    };
+    const Trajectory& trajectory = *run.trajectory;
+    constexpr std::size_t instants = 400;
+    for (std::size_t i = 0; i <= instants; ++i) {
+      look(trajectory.state(trajectory.duration() * static_cast<double>(i) / instants));
+    }
+    const std::size_t count = trajectory.pieces().size();
+    for (std::size_t i = 0; i < count; i += 1 + count / instants) {
+      constexpr double just = 1e-7;  // [s]
+      look(trajectory.state(trajectory.piece_end(i) - just));
     }
   }
 }
