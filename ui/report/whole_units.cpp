@@ -7,7 +7,7 @@ namespace feedscope::ui {
 QString with_whole_units(QString text) {
   // Not within words, paths or encoded data, hence the characters that must not precede.
   static const QRegularExpression slash(
-      QStringLiteral("((?<![\\w/.+-])(?:mm|m|µm|in|°|N|kN|U|rad|rev|1)|m/min\\))/"
+      QStringLiteral("((?<![\\w/.+-])(?:mm|m|µm|in|°|N|kN|U|rad|rev|1)|(?<=m/)min\\))/"
                      "(?=(?:min|s|mm|tooth|dent)(?:[²³23]|\\b))"),
       QRegularExpression::UseUnicodePropertiesOption);
   constexpr char16_t joiner[] = u"\u2060";
