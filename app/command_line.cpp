@@ -23,7 +23,9 @@
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "core/base/progress.h"
+#ifdef FEEDSCOPE_WITH_UI
 #include "ui/language/language.h"
+#endif
 
 namespace feedscope {
 namespace {
@@ -241,7 +243,9 @@ int run_reported(int argc, char** argv) {
 int run_command_line(int argc, char** argv) {
   report_file_limits();
   report_memory_limits(out_of_memory);
+#ifdef FEEDSCOPE_WITH_UI
   ui::speak(ui::languages().front());  // by default from the desktop; window and --language choose theirs
+#endif
   const int code = run_reported(argc, argv);
   return code == exit_code::done || code == exit_code::program_errors ? flushed(code) : code;
 }
