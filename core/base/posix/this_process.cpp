@@ -1,38 +1,35 @@
 #include "core/base/this_process.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <array>
+#include <cerrno>
 #include <cstdint>
+#include <cstdlib>
 #include <system_error>
 
-#ifdef _WIN32
-#include <io.h>
-#include <process.h>
-#include <windows.h>
-#else
-#include <unistd.h>
 #ifdef __APPLE__
 #include <mach-o/dyld.h>
 #endif
+#ifdef __GLIBC__
+#include <malloc.h>
 #endif
 
 namespace feedscope {
 
 namespace fs = std::filesystem;
 
+std::span<char*> start_process(int argc, char** argv) {
+  return {argv, static_cast<std::size_t>(argc)};
+}
+
 int process_id() {
-#ifdef _WIN32
-  return _getpid();
-#else
   return static_cast<int>(getpid());
-#endif
 }
 
 fs::path executable_path() {
-#if defined(_WIN32)
-  std::array<wchar_t, 32768> name{};
-  return GetModuleFileNameW(nullptr, name.data(), static_cast<DWORD>(name.size())) > 0 ? fs::path(name.data())
-                                                                                       : fs::path();
-#elif defined(__APPLE__)
+#ifdef __APPLE__
   std::array<char, 4096> name{};
   auto size = static_cast<std::uint32_t>(name.size());
   return _NSGetExecutablePath(name.data(), &size) == 0 ? fs::path(name.data()) : fs::path();
@@ -42,20 +39,40 @@ fs::path executable_path() {
 #endif
 }
 
+std::optional<fs::path> path_in_environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr || *value == '\0' ? std::nullopt : std::optional<fs::path>(value);
+}
+
 bool is_terminal(std::FILE* stream) {
-#ifdef _WIN32
-  return _isatty(_fileno(stream)) != 0;
-#else
   return isatty(fileno(stream)) != 0;
-#endif
 }
 
 bool may_write(const fs::path& file) {
-#ifdef _WIN32
-  constexpr int writing = 2;
-  return _waccess(file.c_str(), writing) == 0;
-#else
   return access(file.c_str(), W_OK) == 0;
+}
+
+std::FILE* open_to_read(const fs::path& file) {
+  return std::fopen(file.c_str(), "rb");
+}
+
+int flush_to_disk(const fs::path& file) {
+  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) {
+    return 0;
+  }
+  int result = 0;
+  do {
+    result = fsync(descriptor);
+  } while (result != 0 && errno == EINTR);
+  const int error = result == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno;
+  close(descriptor);
+  return error;
+}
+
+void give_back_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
 #endif
 }
 
