@@ -1,5 +1,5 @@
 ; Installs the command line for one user, without administrator. VERSION, FROM and OUT are given by packaging/windows/build.
-Unicode true
+Target amd64-unicode
 ManifestDPIAware true
 SetCompressor /SOLID lzma
 RequestExecutionLevel user
