@@ -23,7 +23,9 @@
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "core/base/progress.h"
+#ifdef FEEDSCOPE_WITH_UI
 #include "ui/language/language.h"
+#endif
 
 namespace feedscope {
 namespace {
@@ -164,7 +166,7 @@ int report_mistake(const std::exception& error) {
       exit_code::failed);
 }
 
-int run_checked(int argc, char** argv) {
+int run_checked(std::span<char*> arguments) {
   CLI::App app(
       "Shows what a CNC control really does with an NC program, and why it is slow where it is slow.");
   app.name("feedscope");
@@ -183,10 +185,9 @@ int run_checked(int argc, char** argv) {
   app.require_subcommand(1);
 #endif
   try {
-    app.parse(argc, argv);
+    app.parse(static_cast<int>(arguments.size()), arguments.data());
   } catch (const CLI::ParseError& error) {
-    return error.get_exit_code() == 0 ? app.exit(error)
-                                      : report_wrong_use(app, {argv, static_cast<std::size_t>(argc)}, error);
+    return error.get_exit_code() == 0 ? app.exit(error) : report_wrong_use(app, arguments, error);
   }
   if (app.get_subcommands().empty() && is_no_file(lone_file(app))) {
     throw InputError(unknown("command", lone_file(app), command_names(app)));
@@ -216,9 +217,9 @@ int flushed(int code) {
                                                     : "not everything could be written");
 }
 
-int run_reported(int argc, char** argv) {
+int run_reported(std::span<char*> arguments) {
   try {
-    return run_checked(argc, argv);
+    return run_checked(arguments);
   } catch (const InputError& error) {
     return report(error.what(), exit_code::wrong_use);
   } catch (const Cancelled&) {
@@ -238,11 +239,13 @@ int run_reported(int argc, char** argv) {
 
 }  // namespace
 
-int run_command_line(int argc, char** argv) {
+int run_command_line(std::span<char*> arguments) {
   report_file_limits();
   report_memory_limits(out_of_memory);
+#ifdef FEEDSCOPE_WITH_UI
   ui::speak(ui::languages().front());  // by default from the desktop; window and --language choose theirs
-  const int code = run_reported(argc, argv);
+#endif
+  const int code = run_reported(arguments);
   return code == exit_code::done || code == exit_code::program_errors ? flushed(code) : code;
 }
 

@@ -1,8 +1,6 @@
 #include "app/output_file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <iostream>
@@ -22,24 +20,6 @@ namespace {
 
 std::string message(int error) {
   return error != 0 ? std::generic_category().message(error) : "not everything could be written";
-}
-
-/// Flushes the file to the disk before it is renamed, so that it is whole after a power cut. Skipped where
-/// the file system cannot, or the user may not read the file.
-void reach_disk(const fs::path& file, const std::string& name) {
-  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) {
-    return;
-  }
-  int result = 0;
-  do {
-    result = fsync(descriptor);
-  } while (result != 0 && errno == EINTR);
-  const int error = result == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno;
-  close(descriptor);
-  if (error != 0) {
-    fail(name, message(error));
-  }
 }
 
 /// Resolves links and "."; the file itself need not exist.
@@ -128,7 +108,9 @@ void OutputFile::finish() {
     fail(name_, message(errno));
   }
   if (!written_.empty() && written_ != target_) {
-    reach_disk(written_, name_);
+    if (const int error = flush_to_disk(written_); error != 0) {
+      fail(name_, message(error));
+    }
   }
   finished_ = true;
 }

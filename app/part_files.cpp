@@ -10,20 +10,21 @@ namespace feedscope::part_files {
 namespace {
 
 // Read by a signal handler, therefore lock-free.
-std::array<std::atomic<const char*>, 64> files;
-static_assert(std::atomic<const char*>::is_always_lock_free);
+using FileName = const std::filesystem::path::value_type*;
+std::array<std::atomic<FileName>, 64> files;
+static_assert(std::atomic<FileName>::is_always_lock_free);
 
 void remove_all() {
   for (const auto& file : files) {
-    if (const char* name = file.load()) {
+    if (const FileName name = file.load()) {
       remove_in_handler(name);
     }
   }
 }
 
-void replace(const char* now, const char* then) {
+void replace(FileName now, FileName then) {
   for (auto& file : files) {
-    const char* expected = now;
+    FileName expected = now;
     if (file.compare_exchange_strong(expected, then)) {
       return;
     }

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <filesystem>
+
 namespace feedscope {
 
-/// Signals that end a program from outside: hang-up, interrupt (Ctrl-C), quit, broken pipe, termination. All
-/// signal handling of the program is here: POSIX, tested on Linux; macOS is untested, and Windows would need
-/// SetConsoleCtrlHandler instead.
+/// Signals that end a program from outside: hang-up, interrupt (Ctrl-C), quit, broken pipe, termination; on
+/// Windows the events of the console. All signal handling of the program is here, with a file each in posix/
+/// (tested on Linux, not on macOS) and windows/ (untested).
 class StopSignals {
  public:
   /// During its lifetime, wait() reports hang-up, interrupt and termination, and they end nothing; ignored
@@ -27,9 +29,6 @@ class StopSignals {
 
   /// Has `action` run before a signal ends the process. It may only do what is safe in a signal handler.
   static void run_before_end(void (*action)());
-
- private:
-  int pipe_[2] = {-1, -1};
 };
 
 /// Makes a write beyond the file size limit (ulimit -f) fail with its reason instead of ending the process.
@@ -41,6 +40,6 @@ void report_file_limits();
 void report_memory_limits(const char* message);
 
 /// Removes a file; safe in a signal handler.
-void remove_in_handler(const char* file);
+void remove_in_handler(const std::filesystem::path::value_type* file);
 
 }  // namespace feedscope

@@ -10,16 +10,17 @@ fail() {
   exit 1
 }
 
-# missing_packages [program|tests|packages|checks]: the packages of debian-packages.txt that are not installed, for the
-# program alone, for its tests (if nothing is said), for packaging/package or for packaging/check too. One that another
-# package provides is there, as npm in the nodejs of other archives.
+# missing_packages [program|tests|packages|checks|windows]: the packages of debian-packages.txt that are not installed, for
+# the program alone, for its tests (if nothing is said), for packaging/package or for packaging/check too; or for the
+# program and for packaging/windows. One that another package provides is there, as npm in the nodejs of other archives.
 missing_packages() {
   local wanted end
   case ${1:-tests} in
   program) end='/^# Tests/,$d' ;;
   tests) end='/^# Packages/,$d' ;;
   packages) end='/^# Checks/,$d' ;;
-  *) end='' ;;
+  windows) end='/^# Tests/,/^# Windows/d' ;;
+  *) end='/^# Windows/,$d' ;;
   esac
   local VERSION_ID=12
   [[ -r /etc/os-release ]] && . /etc/os-release
@@ -66,7 +67,7 @@ count_packages() {
     END { if (every == 1) print "" }'
 }
 
-# install_packages [program|tests|packages|checks]: installs what is missing_packages; asks nothing and does nothing where all is there.
+# install_packages [program|tests|packages|checks|windows]: installs what is missing_packages; asks nothing and does nothing where all is there.
 install_packages() {
   check_system
   local missing

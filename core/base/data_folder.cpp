@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
-
 #include "core/base/error.h"
 #include "core/base/this_process.h"
 
@@ -19,12 +17,13 @@ bool holds_data(const fs::path& folder) {
 }  // namespace
 
 fs::path data_folder() {
-  if (const char* given = std::getenv("FEEDSCOPE_DATA"); given != nullptr && *given != '\0') {
-    if (!holds_data(given)) {
+  if (const auto given = path_in_environment("FEEDSCOPE_DATA")) {
+    if (!holds_data(*given)) {
       throw InputError(fmt::format(
-          "FEEDSCOPE_DATA is '{}', which has no folder machines/; set it to Feedscope's data folder", given));
+          "FEEDSCOPE_DATA is '{}', which has no folder machines/; set it to Feedscope's data folder",
+          given->string()));
     }
-    return given;
+    return *given;
   }
   if (const fs::path executable = executable_path(); !executable.empty()) {
     fs::path installed = executable.parent_path().parent_path() / "share" / "feedscope";

@@ -18,7 +18,7 @@ if(FEEDSCOPE_FAST_TOOLS AND CCACHE)
     ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1
     CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE})
 endif()
-if(FEEDSCOPE_FAST_TOOLS AND MOLD)
+if(FEEDSCOPE_FAST_TOOLS AND MOLD AND NOT WIN32)
   add_link_options(-fuse-ld=mold)
 endif()
 

@@ -213,6 +213,22 @@ TEST(Layering, NumbersAreTypedIntoFieldsOfUiFieldsAlone) {
   EXPECT_THAT(found, testing::IsEmpty());
 }
 
+/// What differs between systems has a file for each of them, in folders posix and windows.
+TEST(Layering, SystemsDifferInFilesOfTheirOwnAlone) {
+  static const std::regex asks_for_system(
+      R"(\b(_WIN32|_WIN64|WIN32|__MINGW\w+|__linux__|__APPLE__|__unix__|__GLIBC__|Q_OS_\w+)\b)");
+  std::vector<std::string> found;
+  for (const SourceFile& file : sources_under({"core", "ui", "app"})) {
+    const std::string folder = fs::path(file.path).parent_path().filename().string();
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      if (folder != "posix" && folder != "windows" && std::regex_search(file.lines[i], asks_for_system)) {
+        found.push_back(file.path + ":" + std::to_string(i + 1) + ": " + file.lines[i]);
+      }
+    }
+  }
+  EXPECT_THAT(found, testing::IsEmpty());
+}
+
 TEST(Layering, TheTopLevelHoldsWhatTheDesignNames) {
   const std::vector<std::string> allowed{
       "CMakeLists.txt", "CMakePresets.json", "LICENSE",   "README.md", "app",   "build",

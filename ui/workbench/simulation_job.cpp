@@ -1,25 +1,11 @@
 #include "ui/workbench/simulation_job.h"
 
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
-
 #include <utility>
 
+#include "core/base/this_process.h"
 #include "ui/workbench/simulate_shown.h"
 
 namespace feedscope::ui {
-
-namespace {
-
-/// Returns memory of the previous program, or of a computation, which the allocator would keep.
-void give_back_memory() {
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
-}
-
-}  // namespace
 
 SimulationJob::SimulationJob(QObject* parent) : QObject(parent) {
   connect(&job_, &JobBase::busy_changed, this, &SimulationJob::busy_changed);

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/this_process.h"
 
 namespace feedscope {
 
@@ -181,7 +182,7 @@ SourceText SourceText::from_file(const std::filesystem::path& path) {
     throw InputError(message(NC_("core", "{}: is a directory; give the NC program inside it"), name));
   }
   errno = 0;
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.c_str(), "rb"), &std::fclose);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(open_to_read(path), &std::fclose);
   if (!file) {
     throw InputError(message(NC_("core", "{}: cannot be opened: {}"), name,
                              reason_of(std::error_code(errno, std::generic_category()))));

@@ -24,13 +24,14 @@ constexpr std::array ending_signals{SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM};
 constexpr std::array crash_signals{SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV};
 
 // Read by the handler, therefore lock-free.
-std::atomic<int> told_end{-1};  // write end of the pipe of the living StopSignals
+std::atomic<int> told_end{-1};  // write end of the pipe
 std::atomic<void (*)()> last_action{nullptr};
 std::atomic<int> latest_signal{0};
 std::atomic<const char*> memory_message{""};
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<void (*)()>::is_always_lock_free &&
               std::atomic<const char*>::is_always_lock_free);
 
+std::array<int, 2> event_pipe{-1, -1};  // of the living StopSignals
 std::terminate_handler usual_end = nullptr;
 
 bool is_told(int signal) {
@@ -135,28 +136,28 @@ void give_handlers_a_stack() {
 }  // namespace
 
 StopSignals::StopSignals() {
-  if (pipe(pipe_) != 0) {
+  if (pipe(event_pipe.data()) != 0) {
     throw std::system_error(errno, std::generic_category(), "pipe");
   }
-  for (const int end : pipe_) {
+  for (const int end : event_pipe) {
     fcntl(end, F_SETFD, FD_CLOEXEC);
     fcntl(end, F_SETFL, O_NONBLOCK);
   }
-  told_end = pipe_[1];
+  told_end = event_pipe[1];
   install_handlers();
 }
 
 StopSignals::~StopSignals() {
   told_end = -1;
-  close(pipe_[0]);
-  close(pipe_[1]);
+  close(event_pipe[0]);
+  close(event_pipe[1]);
 }
 
 StopSignals::Event StopSignals::wait(int milliseconds) const {
-  pollfd readable{pipe_[0], POLLIN, 0};
+  pollfd readable{event_pipe[0], POLLIN, 0};
   poll(&readable, 1, milliseconds);
   unsigned char byte = 0;
-  if (read(pipe_[0], &byte, 1) != 1) {
+  if (read(event_pipe[0], &byte, 1) != 1) {
     return Event::none;
   }
   if (byte == 0) {
@@ -168,7 +169,7 @@ StopSignals::Event StopSignals::wait(int milliseconds) const {
 
 void StopSignals::wake() {
   const unsigned char byte = 0;
-  [[maybe_unused]] const ssize_t written = write(pipe_[1], &byte, 1);
+  [[maybe_unused]] const ssize_t written = write(event_pipe[1], &byte, 1);
 }
 
 int StopSignals::latest() {
@@ -198,7 +199,7 @@ void report_memory_limits(const char* message) {
   }
 }
 
-void remove_in_handler(const char* file) {
+void remove_in_handler(const std::filesystem::path::value_type* file) {
   unlink(file);
 }
 
