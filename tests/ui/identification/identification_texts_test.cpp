@@ -59,9 +59,8 @@ TEST_F(IdentificationTextsTest, ADriveSaysWhatOfTheFollowingErrorItExplains) {
   EXPECT_EQ(
       IdentificationTexts::drives(found).join('\n').toStdString(),
       "Drive of X: following error 41.2 µm (rms), 0.4 µm of it unexplained.\n"
-      "Drive of Y: following error 20.0 µm (rms), 11.0 µm of it unexplained: too much for its numbers to "
-      "be told.\n"
-      "Drive of Z: not told.");
+      "Drive of Y: following error 20.0 µm (rms), 11.0 µm of it unexplained: too much to find its values.\n"
+      "Drive of Z: not found.");
   IdentifiedParameter gain;
   gain.parameter = drive_parameter('X', 0);
   gain.value = 60;
