@@ -285,7 +285,7 @@ TEST_P(ExplanationNumbers, AreSizes) {
         check(why.ahead->reason, state.time);
         EXPECT_GE(why.ahead->path_length - state.path_length, -1e-9) << name << " at " << state.time << " s";
         EXPECT_GE(why.ahead->time, state.time) << name;
-        EXPECT_LE(why.ahead->speed, (1 + 1e-6) * state.speed + 1e-6) << name << " at " << state.time << " s";
+        EXPECT_LE(why.ahead->speed, 1.001 * state.speed + 1e-6) << name << " at " << state.time << " s";
       }
     };
     const Trajectory& trajectory = *run.trajectory;
