@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <QGraphicsTextItem>
+#include <QPainter>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QTextDocument>
 
 #include "tests/ui/charts/charts_panel_fixture.h"
+#include "tests/ui/report/recorded_text.h"
 #include "ui/theme/theme.h"
 
 namespace feedscope::ui {
@@ -166,20 +166,16 @@ TEST_F(ChartsPanelTest, NumbersAndTitlesHaveRoomAtTheSizeOfTheDockAndAtTheLeast)
       if (chart.isHidden()) {
         continue;  // without drives
       }
-      const QRectF room = chart.viewport()->rect();
-      int texts = 0;
-      for (const QGraphicsItem* item : chart.scene()->items()) {
-        const auto* text = qgraphicsitem_cast<const QGraphicsTextItem*>(item);
-        if (text == nullptr || !text->isVisible() || text->toPlainText().isEmpty()) {
-          continue;
-        }
-        ++texts;
-        const QString words = text->toPlainText();
-        const double margin = text->document()->documentMargin();
-        const QRectF box = text->sceneBoundingRect().adjusted(margin, margin, -margin, -margin);
-        EXPECT_TRUE(room.contains(box)) << size.width() << ' ' << i << ' ' << words.toStdString();
+      feedscope::test::RecordedText paper;
+      QPainter painter(&paper);
+      chart.draw(painter);
+      EXPECT_GE(paper.texts().size(), 2) << i;
+      for (qsizetype k = 0; k < paper.texts().size(); ++k) {
+        const feedscope::test::TextSpan& span = paper.spans()[static_cast<std::size_t>(k)];
+        const std::string words = paper.texts()[k].toStdString();
+        EXPECT_GE(span.left, 0) << size.width() << ' ' << i << ' ' << words;
+        EXPECT_LE(span.right, chart.viewport()->width()) << size.width() << ' ' << i << ' ' << words;
       }
-      EXPECT_GE(texts, 2) << i;
     }
   }
 }

@@ -10,8 +10,10 @@
 #include <cmath>
 #include <random>
 
+#include "core/base/ticks.h"
 #include "tests/ui/report/recorded_text.h"
 #include "tests/ui/run_fixture.h"
+#include "ui/charts/value_ticks.h"
 
 namespace feedscope::ui {
 namespace {
@@ -142,15 +144,14 @@ TEST_F(JerkChart, ZeroHasNoSignInAnyRange) {
     const double lower = -size * (0.05 + 0.01 * (i % 100));
     chart().choose_values(Interval{lower, size});
     const auto& axis = *qobject_cast<QValueAxis*>(chart().chart()->axes(Qt::Vertical).front());
-    const double step = axis.tickInterval();
-    // As Qt Charts finds its ticks: from the anchor down to the lower end, then up step by step.
-    double tick = axis.tickAnchor() - std::floor((axis.tickAnchor() - axis.min()) / step) * step;
     int zeros = 0;
-    for (; tick <= axis.max(); tick += step) {
-      const QString label = QString::asprintf(axis.labelFormat().toLatin1().constData(), tick);
-      EXPECT_FALSE(label.startsWith('-') && label.toDouble() == 0)
-          << label.toStdString() << " of step " << step;
-      zeros += label.toDouble() == 0 ? 1 : 0;
+    for (const double tick : multiples(axis.tickInterval(), axis.min(), axis.max())) {
+      QString label = tick_text(axis, tick);
+      EXPECT_FALSE(label.contains('-')) << "a true minus";
+      const bool negative = label.startsWith(QChar(0x2212));
+      const bool zero = label.remove(QChar(0x2212)).toDouble() == 0;
+      EXPECT_FALSE(negative && zero) << lower << " to " << size;
+      zeros += zero ? 1 : 0;
     }
     EXPECT_EQ(zeros, 1) << lower << " to " << size;
   }
