@@ -215,13 +215,14 @@ void LessonView::make_actions() {
   connect(return_action_, &QAction::triggered, this, &LessonView::return_wanted);
   connect(before_action_, &QAction::triggered, this, [this] { desk_.choose_question(desk_.question() - 1); });
   connect(after_action_, &QAction::triggered, this, [this] { desk_.choose_question(desk_.question() + 1); });
-  connect(hint_action_, &QAction::toggled, this, &LessonView::show_texts);
-  connect(answer_action_, &QAction::toggled, this, &LessonView::show_texts);
-  connect(answer_action_, &QAction::toggled, this, [this](bool shown) {
-    if (shown) {  // once its height is known
-      QTimer::singleShot(0, this, &LessonView::show_expected);
-    }
-  });
+  for (QAction* action : {hint_action_, answer_action_}) {
+    connect(action, &QAction::toggled, this, &LessonView::show_texts);
+    connect(action, &QAction::toggled, this, [this](bool shown) {
+      if (shown) {  // once its height is known
+        QTimer::singleShot(0, this, &LessonView::show_expected);
+      }
+    });
+  }
 }
 
 void LessonView::lay_out() {
@@ -492,16 +493,17 @@ void LessonView::show_texts() {
     return;
   }
   const Question& question = lesson->questions[desk_.question()];
-  QString text = desk_.filled(question.text);
-  if (hint_action_->isChecked()) {
-    text += QStringLiteral("\n\n**%1** %2").arg(tr("Hint:"), desk_.filled(question.hint));
-  }
-  question_->setHtml(as_html(text));
-  expected_->setVisible(answer_action_->isChecked());
-  expected_->setHtml(
-      answer_action_->isChecked()
-          ? as_html(QStringLiteral("**%1** %2").arg(tr("Answer:"), desk_.filled(question.answer)))
-          : QString());
+  question_->setHtml(as_html(desk_.filled(question.text)));
+  QStringList below;  // in view of the buttons, which stay where they are
+  const auto add = [&](const QAction& action, const QString& title, const std::string& text) {
+    if (action.isChecked()) {
+      below.append(QStringLiteral("**%1** %2").arg(title, desk_.filled(text)));
+    }
+  };
+  add(*hint_action_, tr("Hint:"), question.hint);
+  add(*answer_action_, tr("Answer:"), question.answer);
+  expected_->setVisible(!below.isEmpty());
+  expected_->setHtml(below.isEmpty() ? QString() : as_html(below.join(QStringLiteral("\n\n"))));
 }
 
 void LessonView::show_expected() {
