@@ -63,7 +63,10 @@ std::string short_length(double mm) {
 
 std::string short_percent(double share) {
   const double percent = 100 * share;
-  return std::abs(percent) >= 1 ? fmt::format("{:.0f} %", percent) : fmt::format("{:.1g} %", percent);
+  const double size = std::abs(percent);
+  return size >= 2   ? fmt::format("{:.0f} %", percent)
+         : size >= 1 ? fmt::format("{:.1f} %", percent)
+                     : fmt::format("{:.1g} %", percent);
 }
 
 }  // namespace feedscope

@@ -600,12 +600,12 @@
         <translation>%1 en travers</translation>
     </message>
     <message>
-        <source>error</source>
-        <translation>erreur</translation>
-    </message>
-    <message>
         <source>feed</source>
         <translation>avance</translation>
+    </message>
+    <message>
+        <source>largest error</source>
+        <translation>erreur max.</translation>
     </message>
 </context>
 <context>

@@ -209,7 +209,7 @@ void LensPicture::draw_scales(QPainter& painter, const View& view) const {
   painter.drawText(room, Qt::AlignCenter, across_text);
 }
 
-/// Draws name, error and feed of each run at the cursor, top left.
+/// Draws name, largest error in the picture and feed at the cursor of each run, top left.
 void LensPicture::draw_table(QPainter& painter, const View& view) const {
   painter.setFont(font_of(painter.font(), text_pixels * scale_));
   const QFontMetricsF metrics(painter.font());
@@ -218,9 +218,9 @@ void LensPicture::draw_table(QPainter& painter, const View& view) const {
   const double sample = 28 * scale_;
   const double left = view.plot.left() + margin * scale_;
   std::array<double, 3> widths{};
-  std::vector<std::array<QString, 3>> rows{{QString(), tr("error"), tr("feed")}};
+  std::vector<std::array<QString, 3>> rows{{QString(), tr("largest error"), tr("feed")}};
   for (std::size_t i = 0; i < lens_.runs.size(); ++i) {
-    rows.push_back({looks_[i].name, amount_text(lens_.runs[i].error, Dimension::error),
+    rows.push_back({looks_[i].name, amount_text(lens_.runs[i].largest_error, Dimension::error),
                     amount_text(lens_.runs[i].feed, Dimension::feed)});
   }
   for (const auto& cells : rows) {

@@ -3,6 +3,9 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "core/program/path/other_axes.h"
+#include "ui/language/in_language.h"
+
 namespace feedscope::ui {
 
 namespace {
@@ -52,7 +55,8 @@ QString not_counted_text(const NotCounted& counts) {
   if (!counts.other_axes.empty()) {
     QStringList axes;
     for (const std::string& axis : counts.other_axes) {
-      axes.append(QString::fromStdString(axis));
+      axes.append(axis == orientation_axis ? in_language(NC_("core", "tool orientation"))
+                                           : QString::fromStdString(axis));
     }
     texts.append(Faults::tr("motion of %1").arg(axes.join(QStringLiteral(", "))));
   }

@@ -1,10 +1,9 @@
 #include "core/analysis/notes/not_counted.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <array>
+
+#include "core/program/path/other_axes.h"
 
 namespace feedscope {
 
@@ -84,7 +83,12 @@ Message describe(const NotCounted& counts) {
     }
   }
   if (!counts.other_axes.empty()) {
-    texts.push_back(message(NC_("core", "motion of {}"), fmt::to_string(fmt::join(counts.other_axes, ", "))));
+    std::vector<Message> axes;
+    for (const std::string& axis : counts.other_axes) {
+      axes.push_back(axis == orientation_axis ? Message(NC_("core", "tool orientation"))
+                                              : Message::as_written(axis));
+    }
+    texts.push_back(message(NC_("core", "motion of {}"), enumerated(axes)));
   }
   return enumerated(texts);
 }

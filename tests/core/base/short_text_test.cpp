@@ -33,6 +33,7 @@ TEST(ShortText, LengthsBelowATenthOfAMillimetreAreInMicrometres) {
 
 TEST(ShortText, SharesBelowAPercentAreNotNone) {
   EXPECT_EQ(short_percent(0.0823), "8 %");
+  EXPECT_EQ(short_percent(0.0118), "1.2 %") << "more than one percent";
   EXPECT_EQ(short_percent(0.0031), "0.3 %");
   EXPECT_EQ(short_percent(0), "0 %");
 }

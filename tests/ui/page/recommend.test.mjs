@@ -46,7 +46,7 @@ test('numbers are written as the program writes them', () => {
   assert.deepEqual([0, 0.0123, 2, 9.996, 12.34, 59.94, 108.5, 3725].map(clockText), ['0 s', '12.3 ms', '2.00 s', '10.0 s', '12.3 s', '59.9 s', '1:48.5', '1:02:05']);
   assert.deepEqual([0.0123, 0.158, 12.34, 59.94, 108.5].map(gainText), ['0.012 s', '0.158 s', '12.3 s', '59.9 s', '1:48.5']);
   assert.deepEqual([0.0002, 0.2, -4.92].map(changeText), ['0', '+0.200 s', '−4.9 s']);
-  assert.deepEqual([0.08, 0.003, 1].map(shareText), ['8 %', '0.3 %', '100 %']);
+  assert.deepEqual([0.08, 0.0118, 0.003, 1].map(shareText), ['8 %', '1.2 %', '0.3 %', '100 %']);
   assert.equal(numberText(-0.00001, 'error'), '0.0');
   useNumbers(',', { error: { text: 'µm', factor: 1000, decimals: 1 } });
   assert.equal(numberText(-0.0113, 'error'), '−11,3');

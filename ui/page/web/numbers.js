@@ -49,7 +49,8 @@ export const changeText = (seconds) =>
 /** "8 %", below one percent to a figure that is not 0. */
 export function shareText(share) {
   const percent = 100 * share;
-  if (Math.abs(percent) >= 1 || Math.abs(percent) < 1e-3) return localised(`${percent.toFixed(0)} %`);
+  const size = Math.abs(percent);
+  if (size >= 1 || size < 1e-3) return localised(`${percent.toFixed(size >= 1 && size < 2 ? 1 : 0)} %`);
   return localised(`${Number(percent.toPrecision(1))} %`);
 }
 

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/analysis/notes/refused_lines.h"
+#include "core/analysis/run/control_dialect.h"
 #include "core/analysis/study/recommendation.h"
 #include "core/analysis/time/time_report.h"
 #include "ui/decide/decision_chart.h"
@@ -106,6 +107,9 @@ QString run_faults(const ReportInput& input) {
     const LoadedProgram& program = run.shown->run.input;
     if (const Diagnostic* first = first_fault(program.toolpath->machine_faults)) {
       texts.append(message_text(*first));
+    }
+    if (const auto other = control_mismatch(run.shown->run.setup.machine, program.program->dialect)) {
+      texts.append(html_text(in_language(describe(*other))));
     }
     if (const Message refused = refused_note(program.lines_not_run); !refused.empty()) {
       texts.append(html_text(in_language(refused)));
