@@ -108,7 +108,8 @@ TEST_F(LessonsCommand, WritesAHandOut) {
   const Result result = run("lessons 2 --out handout.html");
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(result.out, "");
-  EXPECT_THAT(contents(folder_ / "handout.html"), AllOf(HasSubstr("<!DOCTYPE html>"), HasSubstr("2.115\u00a0s")));
+  EXPECT_THAT(contents(folder_ / "handout.html"),
+              AllOf(HasSubstr("<!DOCTYPE html>"), HasSubstr("2.115\u00a0s")));
   EXPECT_EQ(run("lessons 2 --out -").out, contents(folder_ / "handout.html"));
 }
 
