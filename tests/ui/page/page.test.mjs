@@ -197,7 +197,7 @@ test('rotary axes are drawn where their limits decide, as near to simulate --csv
   await turning.picture(picture('turning'));
   const labels = await turning.ask(() => [...document.querySelector('#feedscope-view').shadowRoot.querySelectorAll('.chart:nth-of-type(n+4) .chart-label')].map((one) => one.textContent));
   assert.match(labels.join(), /Jerk of rotary axes.*C [−\d.]+ of 40/);
-  assert.match(await turning.ask(() => document.querySelector('#feedscope-view').shadowRoot.querySelector('.precision').textContent), /rotary axes within 1 % of their limits/);
+  assert.match(await turning.ask(() => document.querySelector('#feedscope-view').shadowRoot.querySelector('.precision').textContent), /rotary axes within 1[.]1 % of their limits/);
   assert.deepEqual(turning.complaints, []);
   await page.send('Page.bringToFront');
 });
