@@ -199,7 +199,7 @@ std::vector<DriveFit> Recordings::fit_drives(const std::vector<FitParameter>& pa
     if (recorded.empty()) {
       throw InputError(
           message(NC_("core",
-                      "{} is told by set and actual positions of {}; no trace has both: record the actual "
+                      "{} is found from set and actual positions of {}; no trace has both: record the actual "
                       "position too, and name it if need be, as --columns actual_{}=5:mm"),
                   parameter.key, axis, static_cast<char>(axis - 'X' + 'x')));
     }

@@ -114,8 +114,8 @@ void TraceCase::leave_out_holds(const TimeLaw& run) {
   }
   add_held_notes(found_.remarks, held_, *course_,
                  NC_("core",
-                     "a feed hold, or a stop that the simulation does not know; half a second before it and "
-                     "behind it is not compared, and its time not counted"));
+                     "a feed hold, or a stop that the simulation does not know; half a second before and "
+                     "after it is not compared, and its time not counted"));
   std::ranges::stable_sort(found_.lost, {}, &LostStretch::from);
 }
 

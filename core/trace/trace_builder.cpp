@@ -414,7 +414,7 @@ void TraceBuilder::look_at_jumps() {
     const double at = trace_.time[i] - trace_.time.front();
     if (behind > here / 2 && step(i - 1, i + 1) * much_more < here) {
       report(i,
-             message(NC_("core", "the sample at {:.6g} s lies {:.4g} mm beside those before and behind it"),
+             message(NC_("core", "the sample at {:.6g} s lies {:.4g} mm beside those before and after it"),
                      at, here),
              NC_("core", "it is not compared; the others are right"));
       ++i;

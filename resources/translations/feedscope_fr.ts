@@ -4643,7 +4643,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>Aucun jerk n’est limité et, là où des blocs se rejoignent avec une petite cassure, la vitesse d’un axe saute.</translation>
     </message>
     <message>
-        <source>The time runs from the first to the last motion: a dwell before or behind all of it is not counted.</source>
+        <source>The time runs from the first to the last motion: a dwell before or after all of it is not counted.</source>
         <translation>Le temps court du premier au dernier mouvement&#xa0;: une temporisation avant ou après n’est pas comptée.</translation>
     </message>
     <message>
@@ -7599,7 +7599,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>donner le programme exécuté, et ses temps en secondes, ou en ms sous ce titre</translation>
     </message>
     <message>
-        <source>a feed hold, or a stop that the simulation does not know; half a second before it and behind it is not compared, and its time not counted</source>
+        <source>a feed hold, or a stop that the simulation does not know; half a second before and after it is not compared, and its time not counted</source>
         <translation>un arrêt d’avance, ou un arrêt que la simulation ne connaît pas ; une demi-seconde avant et après n’est pas comparée, et son temps n’est pas compté</translation>
     </message>
     <message>
@@ -8119,7 +8119,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>il n’y a pas de programme d’essai pour le dialecte &apos;{}&apos;&#xa0;; il y en a un pour iso, fanuc, linuxcnc, grbl, sinumerik et heidenhain</translation>
     </message>
     <message>
-        <source>{} is told by set and actual positions of {}; no trace has both: record the actual position too, and name it if need be, as --columns actual_{}=5:mm</source>
+        <source>{} is found from set and actual positions of {}; no trace has both: record the actual position too, and name it if need be, as --columns actual_{}=5:mm</source>
         <translation>{} se détermine par les positions de consigne et réelles de {}&#xa0;; aucune trace n’a les deux&#xa0;: enregistrez aussi la position réelle, et nommez-la au besoin, comme --columns actual_{}=5:mm</translation>
     </message>
     <message>
@@ -9939,7 +9939,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>un échantillon toutes les {} ms&#xa0;: rampes et angles de moins de {} ms ne se distinguent pas</translation>
     </message>
     <message>
-        <source>the sample at {:.6g} s lies {:.4g} mm beside those before and behind it</source>
+        <source>the sample at {:.6g} s lies {:.4g} mm beside those before and after it</source>
         <translation>l’échantillon à {} s se trouve à {} mm de ceux qui l’entourent</translation>
     </message>
     <message>

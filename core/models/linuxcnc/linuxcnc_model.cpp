@@ -145,7 +145,7 @@ const ModelInfo& LinuxCncModel::info() const {
       {NC_("core",
            "No jerk is limited, and where blocks meet within a small kink the velocity of an axis jumps."),
        NC_("core",
-           "The time runs from the first to the last motion: a dwell before or behind all of "
+           "The time runs from the first to the last motion: a dwell before or after all of "
            "it is not counted."),
        NC_("core", "Rapids blend among each other; next to a feed motion they stop.")},
       {.jumps_in_corners = true,

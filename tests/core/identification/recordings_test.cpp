@@ -253,7 +253,7 @@ TEST(Recordings, WithoutActualPositionsTellNoDrive) {
     recordings.fit(start, fit_parameters_of(start, {"X.kv"}));
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("X.kv is told by set and actual positions of X"));
+    EXPECT_THAT(error.what(), HasSubstr("X.kv is found from set and actual positions of X"));
     EXPECT_THAT(error.what(), HasSubstr("--columns actual_x="));
   }
 }
