@@ -106,7 +106,7 @@ std::string times_table(std::span<const ComparedRun> runs) {
     const Summary& summary = run.summary;
     Cells cells{fmt::format("{:.3f}", summary.cycle_time),
                 clock_text(summary.cycle_time),
-                fmt::format("{:.3f}", run.against_cam()),
+                run.lines_not_run > 0 ? "-" : fmt::format("{:.3f}", run.against_cam()),
                 fmt::format("{:.1f}", units::to_mm_min(summary.mean_feed)),
                 fmt::format("{:.1f}", units::to_mm_min(summary.peak_feed)),
                 fmt::format("{:.4f}", summary.cutting_contour_error)};

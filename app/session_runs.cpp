@@ -42,11 +42,18 @@ std::optional<ui::Session> asked_session(const ProgramOptions& options, std::vec
     fmt::print(stderr, "feedscope: note: {}: {}\n", options.file, note.toStdString());
   }
   const std::filesystem::path& program = read.session.program;
+  const std::filesystem::path& tools = read.session.reading.tool_table;
   if (!std::filesystem::exists(program)) {
     throw InputError(
         fmt::format("the program of session '{}' was not found: '{}'; restore it, or open the "
                     "session in the window and select it",
                     options.file, program.string()));
+  }
+  if (!tools.empty() && !std::filesystem::exists(tools)) {
+    throw InputError(
+        fmt::format("the tool table of session '{}' was not found: '{}'; restore it, or open the "
+                    "session in the window and choose another in File > Reading > Program import options",
+                    options.file, tools.string()));
   }
   if (!read.session.program_hash.isEmpty() && ui::hash_of(program) != read.session.program_hash) {
     fmt::print(stderr,

@@ -279,7 +279,7 @@
     </message>
     <message>
         <source>The fastest run. None within 1 % of it has a smaller error.</source>
-        <translation>La simulation la plus rapide. Aucune à moins de 1 % d&apos;elle n&apos;a une erreur plus petite.</translation>
+        <translation>La simulation la plus rapide. Aucune à moins de 1 % d’elle n’a une erreur plus petite.</translation>
     </message>
     <message>
         <source>The smallest error within 1 % of the fastest run.</source>
@@ -754,7 +754,7 @@
     </message>
     <message>
         <source>%1: the axes stand.</source>
-        <translation>%1&#xa0;: les axes sont à l&apos;arrêt.</translation>
+        <translation>%1&#xa0;: les axes sont à l’arrêt.</translation>
     </message>
     <message>
         <source>About this page</source>
@@ -766,7 +766,7 @@
     </message>
     <message>
         <source>All data is in this file; it asks no other one and no network.</source>
-        <translation>Toutes les données sont dans ce fichier&#xa0;; il n&apos;en demande pas d&apos;autre et n&apos;utilise pas le réseau.</translation>
+        <translation>Toutes les données sont dans ce fichier&#xa0;; il n’en demande pas d’autre et n’utilise pas le réseau.</translation>
     </message>
     <message>
         <source>Charts over</source>
@@ -782,7 +782,7 @@
     </message>
     <message>
         <source>Fit the path into the picture (F)</source>
-        <translation>Ajuster la trajectoire à l&apos;image (F)</translation>
+        <translation>Ajuster la trajectoire à l’image (F)</translation>
     </message>
     <message>
         <source>Front</source>
@@ -806,7 +806,7 @@
     </message>
     <message>
         <source>Look from here</source>
-        <translation>Regarder d&apos;ici</translation>
+        <translation>Regarder d’ici</translation>
     </message>
     <message>
         <source>Made with Feedscope %1. Simulated, not measured.</source>
@@ -2118,7 +2118,7 @@
     </message>
     <message>
         <source>Cycle time over contour error</source>
-        <translation>Temps de cycle selon l&apos;erreur de contour</translation>
+        <translation>Temps de cycle selon l’erreur de contour</translation>
     </message>
     <message>
         <source>Cycle time</source>
@@ -2504,6 +2504,11 @@
     <message>
         <source>X, Y and Z of the machine</source>
         <translation>X, Y et Z de la machine</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <comment>of the path</comment>
+        <translation>début</translation>
     </message>
 </context>
 <context>
@@ -9415,12 +9420,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>la direction de l’outil et l’axe {} sont donnés dans un même bloc</translation>
     </message>
     <message>
-        <source>tool orientation moves to {} in a feed move, which is not simulated</source>
-        <translation>l’orientation de l’outil va à {} dans un déplacement en avance, ce qui n’est pas simulé</translation>
+        <source>the tool turns in a feed move, which is not simulated</source>
+        <translation>l’outil tourne dans un déplacement en avance, ce qui n’est pas simulé</translation>
     </message>
     <message>
-        <source>tool orientation moves to {}, which is not simulated</source>
-        <translation>l’orientation de l’outil va à {}, ce qui n’est pas simulé</translation>
+        <source>the tool turns, which is not simulated</source>
+        <translation>l’outil tourne, ce qui n’est pas simulé</translation>
     </message>
     <message>
         <source>axis {} moves to {} in a feed move, which is not simulated</source>
@@ -10495,6 +10500,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>%1: %2 of the visible time, %3 s</source>
         <translation>%1&#xa0;: %2 du temps visible, %3&#xa0;s</translation>
     </message>
+    <message>
+        <source>%1 limited by</source>
+        <comment>run</comment>
+        <translation>%1 limité par</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ChartCommands</name>
@@ -10730,6 +10740,11 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     <message>
         <source>At the cursor: %1</source>
         <translation>Au curseur&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>feed, run</comment>
+        <translation>%1 de %2</translation>
     </message>
 </context>
 <context>
@@ -11418,7 +11433,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
         <source>Only runs with a contour error within this bound are recommended</source>
-        <translation>Seules les simulations dont l&apos;erreur de contour tient cette borne sont recommandées</translation>
+        <translation>Seules les simulations dont l’erreur de contour tient cette borne sont recommandées</translation>
     </message>
     <message>
         <source>compare runs</source>
@@ -11512,7 +11527,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>None of the changes that were simulated helps.</source>
-        <translation>Aucun des changements simulés n&apos;aide.</translation>
+        <translation>Aucun des changements simulés n’aide.</translation>
     </message>
     <message>
         <source>Error %1</source>
@@ -11523,7 +11538,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <name>feedscope::ui::DecisionChart</name>
     <message>
         <source>Cycle time over contour error</source>
-        <translation>Temps de cycle selon l&apos;erreur de contour</translation>
+        <translation>Temps de cycle selon l’erreur de contour</translation>
     </message>
     <message>
         <source>A dot is a run; the ringed one is recommended. Click to choose a run.</source>
@@ -11857,7 +11872,7 @@ max. : %1 %</translation>
     </message>
     <message>
         <source>One file that opens in any browser: path in 3D, charts, decision and report, without network</source>
-        <translation>Un fichier qui s&apos;ouvre dans tout navigateur&#xa0;: trajectoire en 3D, graphiques, décision et rapport, sans réseau</translation>
+        <translation>Un fichier qui s’ouvre dans tout navigateur&#xa0;: trajectoire en 3D, graphiques, décision et rapport, sans réseau</translation>
     </message>
     <message>
         <source>web browser html send colleague customer tablet</source>

@@ -15,6 +15,7 @@ namespace {
 
 using nlohmann::json;
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -147,7 +148,9 @@ TEST_F(CompareCommand, ARunOfAPartIsNotTheFastestOfTheWhole) {
   const std::string arguments = "compare part.nc --machine grbl-router --within 1 --model grbl";
   EXPECT_THAT(run(arguments + " --model cam").out, HasSubstr("Fastest within 1 mm: cam on"));
   EXPECT_THAT(run(arguments).out, AllOf(HasSubstr("Fastest within 1 mm: grbl on"),
-                                        HasSubstr("lines of the program; they are not run.")));
+                                        HasSubstr("lines of the program; they are not run."),
+                                        ContainsRegex("grbl +- +[0-9.]+ +[0-9:.]+ +- ")))
+      << "no ratio of a part to the whole";
   run("compare part.nc --machine grbl-router --model grbl --model cam --json part.json");
   const json runs = json::parse(contents(folder_ / "part.json"))["runs"];
   EXPECT_GT(runs[0]["lines_not_run"], 0);

@@ -147,6 +147,10 @@ TEST_F(SessionCommand, WhatCannotBeUsedIsNamedAndWritesNothing) {
   expect_wrong_use("render part.feedscope --tool 1=5 --out a.png", "--tool cannot be combined with session");
   write("part.feedscope", session("gone.nc", ""));
   expect_wrong_use("render part.feedscope --out a.png", "gone.nc");
+  std::string with_table = session("part.nc", "");
+  with_table.insert(1, R"("reading": {"tool_table": "gone.tbl"},)");
+  write("part.feedscope", with_table);
+  expect_wrong_use("render part.feedscope --out a.png", "the tool table of session 'part.feedscope'");
   write("part.feedscope", "{\n\"format\" 1}");
   expect_wrong_use("report part.feedscope --out a.pdf", "line 2");
   EXPECT_FALSE(fs::exists(folder_ / "a.png"));

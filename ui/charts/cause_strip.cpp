@@ -84,13 +84,23 @@ void CauseStrip::set_causes(std::vector<std::optional<CauseKind>> columns, std::
   update();
 }
 
+void CauseStrip::name_run(const QString& name) {
+  run_name_ = name;
+  lay_out();
+  update();
+}
+
+QString CauseStrip::title() const {
+  return run_name_.isEmpty() ? tr("Limited by") : tr("%1 limited by", "run").arg(run_name_);
+}
+
 void CauseStrip::lay_out() {
   const QFontMetrics metrics(font());
   QFont bold = font();
   bold.setBold(true);
   const int more = metrics.horizontalAdvance(tr("+ %1").arg(99));
   const int row = height() - strip_height();
-  int x = type_pixels(8) + QFontMetrics(bold).horizontalAdvance(tr("Limited by")) + item_gap();
+  int x = type_pixels(8) + QFontMetrics(bold).horizontalAdvance(title()) + item_gap();
   listed_ = 0;
   for (Share& share : shares_) {
     const int end = x + swatch_side() + swatch_gap() + metrics.horizontalAdvance(share.text);
@@ -211,8 +221,7 @@ void CauseStrip::draw_legend(QPainter& painter) const {
   bold.setBold(true);
   painter.setFont(bold);
   painter.setPen(text);
-  painter.drawText(QRect(type_pixels(8), 0, width(), row), Qt::AlignLeft | Qt::AlignVCenter,
-                   tr("Limited by"));
+  painter.drawText(QRect(type_pixels(8), 0, width(), row), Qt::AlignLeft | Qt::AlignVCenter, title());
   painter.setFont(font());
   int end = 0;
   for (std::size_t i = 0; i < listed_; ++i) {

@@ -25,6 +25,8 @@ class CauseStrip : public QWidget {
 
   /// `columns`: over the plot's width; `times`: of all_causes() in the visible range [s].
   void set_causes(std::vector<std::optional<CauseKind>> columns, std::vector<double> times);
+  /// Names the run; empty: it is the only one.
+  void name_run(const QString& name);
   /// The cause shown alone.
   std::optional<CauseKind> highlighted() const { return highlighted_; }
   /// Place of a kind in the legend; empty if it does not occur or has no room.
@@ -51,6 +53,7 @@ class CauseStrip : public QWidget {
     QRect place;  ///< in the legend
   };
 
+  QString title() const;
   void lay_out();
   const Share* item_at(const QPoint& place) const;
   std::optional<CauseKind> kind_at(const QPoint& place) const;
@@ -64,6 +67,7 @@ class CauseStrip : public QWidget {
   std::vector<Share> shares_;  ///< the largest first
   std::size_t listed_ = 0;     ///< number of shares_ that fit in the legend
   std::optional<CauseKind> highlighted_;
+  QString run_name_;
 };
 
 }  // namespace feedscope::ui

@@ -74,6 +74,11 @@ void ChartHeader::set_available(std::vector<bool> available) {
   relist();
 }
 
+void ChartHeader::name_run(const QString& name) {
+  run_name_ = name;
+  relist();
+}
+
 void ChartHeader::set_runs(std::vector<LegendEntry> runs) {
   runs_ = std::move(runs);
   relist();
@@ -95,8 +100,12 @@ QString ChartHeader::number(double value) const {
   return QLocale().toString(none ? 0 : value, 'f', spec_.decimals);
 }
 
+QString ChartHeader::title() const {
+  return run_name_.isEmpty() ? spec_.title : tr("%1 of %2", "feed, run").arg(spec_.title, run_name_);
+}
+
 int ChartHeader::title_width() const {
-  return inset() + QFontMetrics(bold(font())).horizontalAdvance(spec_.title) + inset() +
+  return inset() + QFontMetrics(bold(font())).horizontalAdvance(title()) + inset() +
          QFontMetrics(font()).horizontalAdvance(spec_.unit) + gap();
 }
 
@@ -255,11 +264,11 @@ void ChartHeader::draw(QPainter& painter) const {
   painter.fillRect(rect(), ground);
   painter.setPen(colours.text);
   painter.setFont(bold(font()));
-  const int title = QFontMetrics(painter.font()).horizontalAdvance(spec_.title);
-  painter.drawText(QRect(inset(), 0, title + inset(), height()), Qt::AlignVCenter, spec_.title);
+  const int wide = QFontMetrics(painter.font()).horizontalAdvance(title());
+  painter.drawText(QRect(inset(), 0, wide + inset(), height()), Qt::AlignVCenter, title());
   painter.setFont(font());
   painter.setPen(colours.muted);
-  painter.drawText(QRect(2 * inset() + title, 0, width(), height()), Qt::AlignVCenter, spec_.unit);
+  painter.drawText(QRect(2 * inset() + wide, 0, width(), height()), Qt::AlignVCenter, spec_.unit);
   for (const Item& item : items(width())) {
     draw_item(painter, item);
   }

@@ -34,6 +34,8 @@ class ChartHeader : public QWidget {
   void show_curve(std::size_t curve, bool shown);
   /// The curves that the run has; the others are not listed.
   void set_available(std::vector<bool> available);
+  /// Names the run of the curves in the title; empty: it is the only one.
+  void name_run(const QString& name);
   void set_runs(std::vector<LegendEntry> runs);
   const std::vector<LegendEntry>& runs() const { return runs_; }
   /// The limits in the plot, and notes on values that it omits or adds.
@@ -68,6 +70,7 @@ class ChartHeader : public QWidget {
 
   /// Items in the order of their importance, as many as fit in `width`.
   std::vector<Item> items(int width) const;
+  QString title() const;
   int title_width() const;
   int width_of(Kind kind, std::size_t index) const;
   const QString& text_of(Kind kind, std::size_t index) const;
@@ -77,6 +80,7 @@ class ChartHeader : public QWidget {
   void draw_item(QPainter& painter, const Item& item) const;
 
   ChartSpec spec_;
+  QString run_name_;
   std::vector<bool> shown_;
   std::vector<bool> available_;
   std::vector<LegendEntry> runs_;

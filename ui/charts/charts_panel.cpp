@@ -184,7 +184,11 @@ void ChartsPanel::set_run(std::shared_ptr<const Trajectory> trajectory,
 void ChartsPanel::follow(Workbench& workbench) {
   RunList& runs = workbench.runs();
   const TraceList& traces = workbench.traces();
-  const auto show_others = [this, &runs, &traces] { set_overlays(other_runs(runs), shown_traces(traces)); };
+  const auto show_others = [this, &runs, &traces] {
+    std::vector<RunOverlay> others = other_runs(runs);
+    name_run(others.empty() ? QString() : run_letter(runs.current()));
+    set_overlays(std::move(others), shown_traces(traces));
+  };
   connect(&workbench, &Workbench::drawn_changed, this, [this, &workbench] { show_run_of(workbench); });
   connect(&runs, &RunList::list_changed, this, show_others);
   connect(&runs, &RunList::current_changed, this, show_others);
@@ -242,6 +246,13 @@ void ChartsPanel::set_overlays(std::vector<RunOverlay> overlays, std::vector<Tra
   overlays_.set_runs(std::move(overlays));
   overlays_.set_traces(std::move(traces));
   refresh_.start();
+}
+
+void ChartsPanel::name_run(const QString& name) {
+  for (ChartHeader* header : rows_.headers) {
+    header->name_run(name);
+  }
+  causes_->name_run(name);
 }
 
 void ChartsPanel::set_overlay_curve(std::size_t chart, std::optional<std::size_t> curve) {

@@ -45,6 +45,8 @@ class ChartsPanel : public Panel {
   /// without a run, the next run with `keep_range` resumes it. `sources`: of the run.
   void set_run(std::shared_ptr<const Trajectory> trajectory, std::shared_ptr<const Envelope> envelope,
                bool keep_range, const RunSources& sources = {});
+  /// Names the run of the charts in their titles; empty: it is the only one.
+  void name_run(const QString& name);
   /// Other runs of the same program, drawn under the run's curves. Over path length they are aligned by
   /// place.
   /// Recorded traces are drawn in the same way.

@@ -15,7 +15,8 @@ namespace feedscope::ui {
 
 namespace {
 
-QString title_of(const Run& run) {
+/// `name`: of the run beside others; empty: it is the only one.
+QString title_of(const Run& run, const QString& name = {}) {
   const QString file = program_file_name(*run.input.program);
   const QString time = clock_text(run.trajectory->duration());
   const QString faults = reading_faults_text(*run.input.program);
@@ -23,13 +24,11 @@ QString title_of(const Run& run) {
   const QString title =
       QStringLiteral("<b>%1</b> &nbsp; %2 · %3 · %4%5")
           .arg(file.toHtmlEscaped(), QString::fromStdString(run.setup.machine.name).toHtmlEscaped(),
-               core_text(run.setup.model->info().title).toHtmlEscaped(), time,
+               (name.isEmpty() ? core_text(run.setup.model->info().title) : name).toHtmlEscaped(), time,
                faults.isEmpty()
                    ? QString()
                    : QStringLiteral(" &nbsp; <span style=\"color:#c62818\"><b>%1</b></span>").arg(faults));
-  return omitted.isEmpty()
-             ? title
-             : QStringLiteral("%1<br/><span style=\"color:#c62818\">%2</span>").arg(title, omitted);
+  return omitted.isEmpty() ? title : QStringLiteral("%1<br/>%2").arg(title, omitted);
 }
 
 }  // namespace
@@ -55,7 +54,8 @@ void ChartsPage::set_run(const Run& run) {
 
 void ChartsPage::set_runs(const ReportInput& input, std::size_t row) {
   const ShownRun& shown = *input.runs[row].shown;
-  title_->setText(title_of(shown.run));
+  const QString letter = input.runs.size() > 1 ? run_letter(row) : QString();
+  title_->setText(title_of(shown.run, letter.isEmpty() ? letter : letter + ' ' + input.runs[row].name));
   charts_->set_limits(shown.run.setup.machine.axes, shown.run.setup.machine.kinematics);
   range_.show_rapids(input.scene.rapids);
   charts_->set_run(shown.run.trajectory, shown.envelope, false, shown.run.sources);
@@ -74,6 +74,7 @@ void ChartsPage::set_runs(const ReportInput& input, std::size_t row) {
     }
   }
   charts_->set_state(input.charts);
+  charts_->name_run(letter);
   charts_->set_overlays(std::move(others), std::move(traces));
 }
 

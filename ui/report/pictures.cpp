@@ -60,8 +60,8 @@ QString colour_meaning(const ReportInput& input) {
   return QString::fromStdString(colour_title(key, input.texts));
 }
 
-/// Paints program, machine, run, cycle time and colours in one line at the bottom of a picture, with the
-/// parts not in the cycle time if there is room. Returns the area above it.
+/// Paints program, its errors, machine, run, cycle time and colours in one line at the bottom of a picture,
+/// with the parts not in the cycle time if there is room. Returns the area above it.
 QRectF paint_caption(QPainter& painter, const ReportInput& input, const QString& colours,
                      const PictureRequest& request) {
   constexpr double row = 24;  // [1/96 inch] at scale 1
@@ -70,10 +70,14 @@ QRectF paint_caption(QPainter& painter, const ReportInput& input, const QString&
   const double scale = text_scale_of(request);
   const Run& run = input.run().shown->run;
   const QString separator = QStringLiteral(" · ");
-  const QString text =
-      QStringList{input.heading(), QString::fromStdString(run.setup.machine.name), input.run().name,
-                  clock_text(run.trajectory->duration()), PictureCaption::tr("colour: %1").arg(colours)}
-          .join(separator);
+  const QString name =
+      input.runs.size() > 1 ? run_letter(input.current) + ' ' + input.run().name : input.run().name;
+  QStringList parts{input.heading(), QString::fromStdString(run.setup.machine.name), name,
+                    clock_text(run.trajectory->duration()), PictureCaption::tr("colour: %1").arg(colours)};
+  if (const QString faults = reading_faults_text(*run.input.program); !faults.isEmpty()) {
+    parts.insert(1, faults);
+  }
+  const QString text = parts.join(separator);
   const QString omitted = not_counted_text(not_counted(*run.input.toolpath));
   const QString whole = omitted.isEmpty() ? text : text + separator + omitted;
 

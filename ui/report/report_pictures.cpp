@@ -127,14 +127,13 @@ ReportPicture close_up(const ReportInput& input, const SlowPlace& place, const Q
             const SceneScale scale{pixel_ratio, 0.68};
             ScenePicture picture(seen, seen.current, ThemeKind::light);
             show_place(picture, place, size, scale);
-            picture.scene().set_warning({});  // the first page reports errors of the program
             paint_lightly(picture, painter, seen, size, scale);
           }};
 }
 
 SceneTexts without_line_names(SceneTexts texts) {
-  for (std::string* name :
-       {&texts.programmed, &texts.rapid, &texts.executed, &texts.curve, &texts.blend, &texts.tool_axis}) {
+  for (std::string* name : {&texts.programmed, &texts.rapid, &texts.executed, &texts.curve, &texts.blend,
+                            &texts.tool_axis, &texts.start}) {
     name->clear();
   }
   return texts;
@@ -283,10 +282,11 @@ QString close_up_table(const std::vector<std::pair<QString, QString>>& pictures)
 
 QString ReportPictures::add(const QString& name, ReportPicture picture, const QString& description) {
   const QSizeF size = picture.size;
+  const bool wide = !picture.raster && size.width() >= report_width;  // a phone scrolls it
   pictures_.insert_or_assign(name, std::move(picture));
   descriptions_.insert_or_assign(name, description);
-  return QStringLiteral("<img src=\"picture:%1\" width=\"%2\" height=\"%3\" alt=\"%4\"/>")
-      .arg(name)
+  return QStringLiteral("<img src=\"picture:%1\"%2 width=\"%3\" height=\"%4\" alt=\"%5\"/>")
+      .arg(name, wide ? QStringLiteral(" class=\"wide\"") : QString())
       .arg(size.width())
       .arg(size.height())
       .arg(description.toHtmlEscaped());

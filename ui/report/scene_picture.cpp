@@ -13,7 +13,6 @@
 #include "ui/report/scene_vectors.h"
 #include "ui/scene/picture.h"
 #include "ui/scene/render_window.h"
-#include "ui/workbench/reading_faults.h"
 #include "ui/workbench/run_comparison.h"
 
 namespace feedscope::ui {
@@ -69,7 +68,6 @@ ScenePicture::ScenePicture(const ReportInput& input, std::size_t row, ThemeKind 
   scene_.set_programmed(run.shown->run.input.toolpath);
   scene_.set_executed(run.shown->run.trajectory, samples());
   scene_.set_overlays(overlays_of(input, row));
-  scene_.set_warning(reading_faults_text(*input.program().program).toStdString());
   scene_.set_run_colour(rgb_of(run.colour));
   if (transparent) {
     window_->SetAlphaBitPlanes(1);

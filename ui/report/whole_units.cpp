@@ -10,8 +10,12 @@ QString with_whole_units(QString text) {
       QStringLiteral("((?<![\\w/.+-])(?:mm|m|µm|in|°|N|kN|U|rad|rev|1)|(?<=m/)min\\))/"
                      "(?=(?:min|s|mm|tooth|dent)(?:[²³23]|\\b))"),
       QRegularExpression::UseUnicodePropertiesOption);
+  static const QRegularExpression space(
+      QStringLiteral("(?<=\\d) (?=(?:[%°]|(?:mm|µm|m|in|ms|s|min|N|kN)(?![\\w/])))"),
+      QRegularExpression::UseUnicodePropertiesOption);
   constexpr char16_t joiner[] = u"\u2060";
-  return text.replace(slash, QStringLiteral("\\1%1/%1").arg(QStringView(joiner)));
+  return text.replace(slash, QStringLiteral("\\1%1/%1").arg(QStringView(joiner)))
+      .replace(space, QString(QChar(QChar::Nbsp)));
 }
 
 }  // namespace feedscope::ui

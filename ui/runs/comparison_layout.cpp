@@ -160,7 +160,9 @@ std::vector<TextColumn> figure_columns(const ComparisonBars& bars) {
       })};
   columns.push_back(figure_column(
       bars, Comparison::tr("relative to"), QStringLiteral("cam"), [&](const ComparisonBar& bar) {
-        return QStringLiteral("× %1").arg(locale.toString(bar.against_cam, 'f', 3));
+        return bar.lines_not_run > 0  // another program than the one of cam
+                   ? QStringLiteral("–")
+                   : QStringLiteral("× %1").arg(locale.toString(bar.against_cam, 'f', 3));
       }));
   columns.push_back(figure_column(
       bars, Comparison::tr("contour error"), with_unit_of({}, Dimension::error).trimmed(),

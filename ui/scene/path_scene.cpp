@@ -130,11 +130,6 @@ void PathScene::set_run_colour(const Rgb& colour) {
   }
 }
 
-void PathScene::set_warning(const std::string& text) {
-  impl_->texts.warning = text;
-  impl_->changed();
-}
-
 void PathScene::set_comparison(const std::string& reference, std::shared_ptr<const SampledPath> scale_with) {
   if (reference != impl_->look.reference || scale_with != impl_->look.scale_with) {
     impl_->look.reference = reference;

@@ -71,8 +71,6 @@ class PathScene {
   Colouring colouring() const;
   /// Colour of the executed path for Colouring::run.
   void set_run_colour(const Rgb& colour);
-  /// Error in the program, shown in the legend; empty: none. UTF-8, Latin letters.
-  void set_warning(const std::string& text);
   /// `reference`: name of the run that the samples of the executed path are compared with (sample_compared).
   /// `scale_with`: a path in another scene with the same colour scale, which covers both; null: none.
   void set_comparison(const std::string& reference, std::shared_ptr<const SampledPath> scale_with);

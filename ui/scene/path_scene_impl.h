@@ -52,8 +52,11 @@ class PathScene::Impl : public ScenePaths {
   const SceneColours& colours() const { return *look.colours; }
   Projection projection() const { return camera.projection(stage.width(), stage.height()); }
   Captions captions() const {
-    return {layers.entries(), layers.key(), look.run, look.exaggeration, look.colours, &texts,
-            on_machine(),     transparent,  legend,   cube_shown};
+    LegendEntries entries = layers.entries();
+    const auto path = shown_executed() != nullptr ? shown_executed() : shown_programmed();
+    entries.start = path != nullptr && path->size() > 0;
+    return {std::move(entries), layers.key(), look.run, look.exaggeration, look.colours, &texts,
+            on_machine(),       transparent,  legend,   cube_shown};
   }
   ScreenLayout layout() const { return screen_layout(stage.width(), stage.height(), scale, captions()); }
   ScreenRectangle room() const { return layout().room(); }

@@ -39,10 +39,10 @@ struct SceneTexts {
   std::string blend = "corner blend";
   std::string curve = "smooth curve";
   std::string tool_axis = "tool axis";
+  std::string start = "start";  ///< of the path
   std::string on_machine = "X, Y and Z of the machine";
   std::string assumed = "assumed";                   ///< of a zero point
   std::string exaggerated = "deviation drawn × %1";  ///< %1: the factor
-  std::string warning;                               ///< PathScene::set_warning()
   std::string contour_error = "Contour error";
   std::string time_lost = "Time lost or gained";
   std::string path_distance = "Distance to the other run";

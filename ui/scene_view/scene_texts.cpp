@@ -44,6 +44,7 @@ SceneTexts scene_texts() {
   texts.blend = Scene::tr("corner blend").toStdString();
   texts.curve = Scene::tr("smooth curve").toStdString();
   texts.tool_axis = Scene::tr("tool axis").toStdString();
+  texts.start = Scene::tr("start", "of the path").toStdString();
   texts.on_machine = Scene::tr("X, Y and Z of the machine").toStdString();
   texts.assumed = Scene::tr("assumed", "zero point of a work offset").toStdString();
   texts.exaggerated = Scene::tr("deviation drawn × %1").toStdString();

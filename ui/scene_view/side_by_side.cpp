@@ -16,7 +16,6 @@
 #include "ui/scene_view/lens_overlay.h"
 #include "ui/scene_view/split_overlay.h"
 #include "ui/shared/panel_action.h"
-#include "ui/workbench/reading_faults.h"
 
 namespace feedscope::ui {
 namespace {
@@ -118,7 +117,6 @@ void SideBySide::show_program() {
   const auto program = workbench_.program();
   PathScene& scene = first_.scene();
   scene.set_programmed(workbench_.shown_program().samples);
-  scene.set_warning(program == nullptr ? "" : reading_faults_text(*program).toStdString());
   if (program != nullptr && std::exchange(fitted_to_, workbench_.file()) != workbench_.file()) {
     scene.fit();  // the camera's place in the previous program is meaningless in this one
   }
@@ -326,11 +324,9 @@ void SideBySide::list_runs() {
 
 void SideBySide::show_current() {
   const auto shown = workbench_.drawn();
-  const auto program = workbench_.program();
   PathScene& scene = first_.scene();
   scene.set_programmed(shown != nullptr && shown->programmed != nullptr ? shown->programmed
                                                                         : workbench_.shown_program().samples);
-  scene.set_warning(program == nullptr ? "" : reading_faults_text(*program).toStdString());
   first_run_.show(workbench_.runs().current_item().id);
   show_run_name();
   show_cursor();
@@ -374,8 +370,6 @@ void SideBySide::show_run() {
   QString title;
   PathScene& scene = second_->scene();
   scene.set_programmed(workbench_.shown_program().samples);
-  const auto program = workbench_.program();
-  scene.set_warning(program == nullptr ? "" : reading_faults_text(*program).toStdString());
   if (const std::size_t row = runs.row_of(id); row < runs.items().size()) {
     const QColor& colour = runs.items()[row].colour;
     scene.set_run_colour({colour.redF(), colour.greenF(), colour.blueF()});

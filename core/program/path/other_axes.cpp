@@ -153,10 +153,8 @@ void OtherAxes::turn_to_zero(double feed) {
 Message OtherAxes::moves_text(std::string_view axis, double target, AxisMotion motion) {
   const bool with_feed = motion != AxisMotion::positions;
   if (axis == orientation_axis) {
-    return with_feed
-               ? message(NC_("core", "tool orientation moves to {} in a feed move, which is not simulated"),
-                         target)
-               : message(NC_("core", "tool orientation moves to {}, which is not simulated"), target);
+    return with_feed ? NC_("core", "the tool turns in a feed move, which is not simulated")
+                     : NC_("core", "the tool turns, which is not simulated");
   }
   return with_feed ? message(NC_("core", "axis {} moves to {} in a feed move, which is not simulated"), axis,
                              target)

@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <QFile>
+#include <QPainter>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
 #include "tests/ui/charts/charts_panel_fixture.h"
+#include "tests/ui/report/recorded_text.h"
 
 namespace feedscope::ui {
 namespace {
@@ -54,6 +56,20 @@ TEST_F(ChartsRuns, AnotherRunIsDrawnInItsColourAndNamed) {
   panel.refresh();
   EXPECT_EQ(magenta_pixels(0), 0);
   EXPECT_TRUE(panel.header(0).runs().empty());
+}
+
+TEST_F(ChartsRuns, BesideOthersEachTitleNamesTheRun) {
+  const auto texts = [this] {
+    test::RecordedText paper;
+    QPainter painter(&paper);
+    panel.draw(painter);
+    return paper.texts();
+  };
+  EXPECT_TRUE(texts().contains("Jerk"));
+  EXPECT_TRUE(texts().contains("Limited by"));
+  panel.name_run("B");
+  EXPECT_TRUE(texts().contains("Jerk of B"));
+  EXPECT_TRUE(texts().contains("B limited by"));
 }
 
 TEST_F(ChartsRuns, ItsCurveCanBeChosenForEveryChart) {

@@ -25,6 +25,12 @@ TEST(WholeUnits, AreNotBrokenAtTheirSlash) {
   }
 }
 
+TEST(WholeUnits, StayWithTheirNumber) {
+  EXPECT_EQ(with_whole_units(QStringLiteral("A (0,002 mm), 46 % of 3 m/min, 12 s, 5 seconds, 2 may")),
+            QString::fromUtf8(
+                "A (0,002\u00a0mm), 46\u00a0% of 3\u00a0m\u2060/\u2060min, 12\u00a0s, 5 seconds, 2 may"));
+}
+
 TEST(WholeUnits, LeaveOtherSlashesAlone) {
   for (const char* text : {"programs/part 5 m/other.nc", "a/mm/s", "base64,+m/s+1/s/", "<p>7/min</p>",
                            "5 </p>", "v² / R", "3 m/machine"}) {

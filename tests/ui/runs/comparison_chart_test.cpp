@@ -96,7 +96,9 @@ TEST(ComparisonChart, MarksTheRunWhoseControlRefusesLines) {
     return paper.texts();
   };
   EXPECT_FALSE(texts().contains("refused lines"));
+  EXPECT_EQ(texts().filter("×").size(), 2);
   runs[1].lines_not_run = 46;
+  EXPECT_EQ(texts().filter("×").size(), 1) << "no ratio of a part to the whole";
   EXPECT_TRUE(texts().contains("refused lines"));
   EXPECT_TRUE(texts().contains("46"));
   EXPECT_TRUE(texts().contains("without refused lines"));

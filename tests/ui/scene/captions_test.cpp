@@ -41,7 +41,6 @@ TEST(Captions, OverlaysAreInsideOfTheWindowAndCoverNoOther) {
         full.captions.key.causes.push_back({static_cast<CauseKind>(i), 1.0 / 12});
       }
     }
-    full.texts.warning = causes ? "Program read with 12 errors and 3 warnings" : "";
     for (int width = 160; width <= 3840; width += 92) {
       for (int height = 120; height <= 2160; height += 170) {
         for (const double scale : {0.7, 1.0, 2.0}) {

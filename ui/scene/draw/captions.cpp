@@ -93,10 +93,6 @@ std::vector<CaptionEntry> legend_entries(const Captions& captions) {
   const SceneColours& colours = *captions.colours;
   const SceneTexts& texts = *captions.texts;
   std::vector<CaptionEntry> list;
-  if (!texts.warning.empty()) {
-    constexpr Rgb alarm{0.86, 0.15, 0.10};
-    list.push_back(line_entry(texts.warning, 8, alarm));
-  }
   if (entries.executed && !explains_colours(captions.key)) {
     list.push_back(line_entry(texts.executed, 2.6,
                               captions.key.colouring == Colouring::run ? captions.run : colours.programmed));
@@ -123,6 +119,11 @@ std::vector<CaptionEntry> legend_entries(const Captions& captions) {
                       draw_tool_axis(canvas, from, to, scale, colours);
                     }});
   }
+  if (entries.start) {
+    list.push_back({texts.start, [&](Canvas& canvas, const Vec2& from, const Vec2& to, double scale) {
+                      draw_start_mark(canvas, (from + to) / 2, scale, colours);
+                    }});
+  }
   if (captions.on_machine) {
     list.push_back({texts.on_machine, nullptr});
   } else if (captions.exaggeration != 1) {
@@ -136,8 +137,7 @@ std::vector<CaptionEntry> cause_entries(const Captions& captions) {
   const SceneColours& colours = *captions.colours;
   std::vector<CaptionEntry> list;
   for (const CauseShare& cause : captions.key.causes) {
-    const double percent = 100 * cause.share;
-    const std::string share = percent < 0.1 ? "< 0.1 %" : fmt::format("{:.1f} %", percent);
+    const std::string share = fmt::format("{:.1f} %", 100 * cause.share);
     const Rgb colour =
         cause.kind == CauseKind::rapid ? colours.rapid : cause_colour(cause.kind, colours.kind);
     list.push_back({captions.texts->name_of(cause.kind) + " " + captions.texts->localised(share),

@@ -22,6 +22,7 @@ struct LegendEntries {
   bool blend = false;
   bool curve = false;      ///< smooth curves
   bool tool_axis = false;  ///< of a tool turned by rotary axes
+  bool start = false;
   std::vector<Overlay> overlays;
 };
 

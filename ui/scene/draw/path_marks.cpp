@@ -29,12 +29,6 @@ void draw_zero_mark(Canvas& canvas, const Vec2& place, double scale, const Scene
   }
 }
 
-void draw_start_mark(Canvas& canvas, const Vec2& place, const MarkStyle& style) {
-  canvas.disc(place, 6 * style.scale, style.colours.background);
-  canvas.disc(place, 5 * style.scale, style.colours.text);
-  canvas.disc(place, 2.6 * style.scale, style.colours.background);
-}
-
 /// Names of all points in the same place as `one`; marks them as named.
 std::string names_at(const std::vector<ZeroPoint>& points, std::size_t one, std::vector<bool>& is_named,
                      const SceneTexts& texts) {
@@ -72,6 +66,12 @@ void draw_zero_points(Canvas& canvas, const std::vector<ZeroPoint>& points, cons
 
 }  // namespace
 
+void draw_start_mark(Canvas& canvas, const Vec2& place, double scale, const SceneColours& colours) {
+  canvas.disc(place, 6 * scale, colours.background);
+  canvas.disc(place, 5 * scale, colours.text);
+  canvas.disc(place, 2.6 * scale, colours.background);
+}
+
 void draw_path_marks(Canvas& canvas, const SampledPath* programmed, const SampledPath* executed,
                      const PlaceInWindow& place_of, const MarkStyle& style) {
   if (executed != nullptr) {
@@ -82,7 +82,7 @@ void draw_path_marks(Canvas& canvas, const SampledPath* programmed, const Sample
   }
   const SampledPath* path = executed != nullptr ? executed : programmed;
   if (path != nullptr && path->size() > 0) {
-    draw_start_mark(canvas, place_of(path->position(0)), style);
+    draw_start_mark(canvas, place_of(path->position(0)), style.scale, style.colours);
   }
 }
 

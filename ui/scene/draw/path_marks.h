@@ -18,6 +18,8 @@ struct MarkStyle {
   double pixels_per_mm = 1;  ///< at the centre of the view
 };
 
+void draw_start_mark(Canvas& canvas, const Vec2& place, double scale, const SceneColours& colours);
+
 /// Draws tool axes along the path, the start of the path, and the zero points of a program with several work
 /// offsets, with their names; those in one place together. Missing paths are null.
 void draw_path_marks(Canvas& canvas, const SampledPath* programmed, const SampledPath* executed,

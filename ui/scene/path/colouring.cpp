@@ -157,11 +157,12 @@ ColourScale scale_of(const SampledPath& path, Colouring colouring) {
 }
 
 std::vector<CauseShare> shares_of(const SampledPath& path) {
+  constexpr double least_named = 0.0005;  // smaller shares would read 0.0 %
   const std::array<double, cause_kind_count>& time = path.cause_times;
   const double all = std::accumulate(time.begin(), time.end(), 0.0);
   std::vector<CauseShare> shares;
   for (std::size_t kind = 0; kind < time.size(); ++kind) {
-    if (time[kind] > 0) {
+    if (time[kind] > least_named * all) {
       shares.push_back({static_cast<CauseKind>(kind), time[kind] / all});
     }
   }
