@@ -73,9 +73,11 @@ std::string headline_text(std::span<const ComparedRun> runs, std::span<const std
       case Recommendation::Reason::smallest_error:
         break;
     }
-    const std::string gain =
-        fmt::format("{}: {}, {} less than {}, {}.", name, time, short_percent(taken->gain_share),
-                    names[taken->against], error_text(run));
+    std::string gain = fmt::format("{}: {}, {} less than {}, {}.", name, time,
+                                   short_percent(taken->gain_share), names[taken->against], error_text(run));
+    gain += another_model_is_faster(runs, *taken)
+                ? " Runs with another model than their machine's own do not count."
+                : "";
     return taken->reason == Recommendation::Reason::fastest
                ? gain
                : gain + " Others gain less than 1 % with a larger error.";

@@ -30,24 +30,6 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// Whether what stands between separators groups thousands: "1,234,567.8", "1.234,5", "1,234,567".
-bool groups_thousands(std::string_view text) {
-  constexpr std::string_view separators = ".,";
-  const std::size_t first = text.find_first_of(separators);
-  const std::size_t last = text.find_last_of(separators);
-  const bool has_decimals = text[first] != text[last];
-  std::size_t at = first;
-  while (at < (has_decimals ? last : text.size())) {
-    const std::size_t next = std::min(text.find_first_of(separators, at + 1), text.size());
-    const bool is_last = has_decimals && next == last;
-    if (next - at != 4 || (next < text.size() && !is_last && text[next] != text[first])) {
-      return false;
-    }
-    at = next;
-  }
-  return true;
-}
-
 /// Whether the comma may group thousands as in "1,000": one to three digits that do not begin with 0, then
 /// exactly three.
 bool may_group_thousands(std::string_view text) {
@@ -84,7 +66,7 @@ TypedNumber typed_number(std::string_view text) {
     const std::string plain = without_thousands_separators(text);
     return {
         std::nullopt,
-        groups_thousands(text) && plain_number(plain)
+        plain_number(plain)
             ? message(NC_("core", "a number has one decimal separator and no thousands separators; write {}"),
                       plain)
             : Message()};

@@ -285,6 +285,10 @@
         <source>The smallest error within 1 % of the fastest run.</source>
         <translation>La plus petite erreur à moins de 1 % de la simulation la plus rapide.</translation>
     </message>
+    <message>
+        <source>Runs with another model than their machine&apos;s own do not count.</source>
+        <translation>Les simulations avec un autre modèle que celui de leur machine ne comptent pas.</translation>
+    </message>
 </context>
 <context>
     <name>Faults</name>

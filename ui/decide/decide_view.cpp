@@ -10,6 +10,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <limits>
 
 #include "core/analysis/notes/refused_lines.h"
 #include "core/analysis/time/ruled_instant.h"
@@ -357,9 +358,17 @@ void DecideView::show_decision() {
 void DecideView::show_chart() {
   const auto taken = recommended(runs_);
   std::vector<DecisionDot> dots;
+  std::size_t least_refused = std::numeric_limits<std::size_t>::max();  // the others run less
   for (std::size_t row = 0; row < runs_.items().size(); ++row) {
     const auto result = runs_.result(row);
     if (result != nullptr && !is_refused(result->run)) {
+      least_refused = std::min(least_refused, result->run.input.lines_not_run.size());
+    }
+  }
+  for (std::size_t row = 0; row < runs_.items().size(); ++row) {
+    const auto result = runs_.result(row);
+    if (result != nullptr && !is_refused(result->run) &&
+        result->run.input.lines_not_run.size() == least_refused) {
       dots.push_back({row, result->run.summary.cycle_time, deciding_error(result->run.summary),
                       run_letter(row), runs_.items()[row].colour, taken && taken->run == row,
                       row == runs_.current()});
@@ -414,9 +423,12 @@ void DecideView::add_row(std::size_t row, const QString& name, const std::option
     const Summary& summary = result->run.summary;
     item->setText(time_column, clock_text(summary.cycle_time));
     item->setText(error_column, number_text(deciding_error(summary), Dimension::error));
-    if (taken && runs_.result(taken->against) != nullptr) {
-      const double gain = runs_.result(taken->against)->run.summary.cycle_time - summary.cycle_time;
-      item->setText(gain_column, row == taken->against ? QStringLiteral("–") : TimeTexts::change(-gain));
+    if (const auto against = taken ? runs_.result(taken->against) : nullptr) {
+      const double gain = against->run.summary.cycle_time - summary.cycle_time;
+      const bool same_lines =
+          result->run.input.lines_not_run.size() == against->run.input.lines_not_run.size();
+      item->setText(gain_column,
+                    row == taken->against || !same_lines ? QStringLiteral("–") : TimeTexts::change(-gain));
     }
     if (!keeps_bound(deciding_error(summary), runs_.error_bound())) {
       for (int column = 0; column < column_count; ++column) {

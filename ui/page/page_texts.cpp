@@ -92,6 +92,8 @@ constexpr PageText texts_of_page[] = {
      QT_TRANSLATE_NOOP("DecisionTexts", "The fastest run. None within 1 % of it has a smaller error.")},
     {"DecisionTexts",
      QT_TRANSLATE_NOOP("DecisionTexts", "The smallest error within 1 % of the fastest run.")},
+    {"DecisionTexts",
+     QT_TRANSLATE_NOOP("DecisionTexts", "Runs with another model than their machine's own do not count.")},
     {"PageWords",
      QT_TRANSLATE_NOOP("PageWords", "This browser draws no 3D (WebGL 2): a picture of the report.")},
     {"TimeRows", QT_TRANSLATE_NOOP("TimeRows", "Time")},

@@ -104,12 +104,16 @@ Decision DecisionTexts::decision(std::span<const ComparedRun> runs, const QStrin
     case Recommendation::Reason::smallest_error:
       break;
   }
+  QString rule = taken->reason == Recommendation::Reason::fastest
+                     ? tr("The fastest run. None within 1 % of it has a smaller error.")
+                     : tr("The smallest error within 1 % of the fastest run.");
+  if (another_model_is_faster(runs, *taken)) {
+    rule += ' ' + tr("Runs with another model than their machine's own do not count.");
+  }
   return {tr("%1: %2, %3 less than %4, %5.")
               .arg(name, time, share_text(taken->gain_share), names[static_cast<qsizetype>(taken->against)],
                    error(summary)),
-          taken->reason == Recommendation::Reason::fastest
-              ? tr("The fastest run. None within 1 % of it has a smaller error.")
-              : tr("The smallest error within 1 % of the fastest run.")};
+          rule};
 }
 
 }  // namespace feedscope::ui

@@ -82,6 +82,18 @@ std::optional<Recommendation> recommend(std::span<const ComparedRun> runs, std::
   return recommend(std::span<const RunTime>(times), within);
 }
 
+bool another_model_is_faster(std::span<const ComparedRun> runs, const Recommendation& taken) {
+  const std::vector<bool> can = can_be_chosen(runs);
+  const ComparedRun& chosen = runs[taken.run];
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!can[i] && runs[i].is_possible() && runs[i].lines_not_run <= chosen.lines_not_run &&
+        runs[i].summary.cycle_time < chosen.summary.cycle_time) {
+      return true;
+    }
+  }
+  return false;
+}
+
 OnlyChoice why_only(std::span<const ComparedRun> runs, std::optional<double> within) {
   const std::vector<bool> can = can_be_chosen(runs);
   std::size_t choices = 0;

@@ -45,6 +45,9 @@ std::vector<bool> can_be_chosen(std::span<const ComparedRun> runs);
 /// Recommends one of the compared runs; also none if no run can_be_chosen().
 std::optional<Recommendation> recommend(std::span<const ComparedRun> runs, std::optional<double> within);
 
+/// Whether a run with another model than its machine's own would be faster than the recommended run.
+bool another_model_is_faster(std::span<const ComparedRun> runs, const Recommendation& taken);
+
 /// Why no other run can be chosen than the recommended one.
 enum class OnlyChoice : std::uint8_t {
   within_bound,             ///< the others have a larger contour error

@@ -80,6 +80,21 @@ TEST(Recommendation, OfARunAloneSaysWhyNoOtherCanBeChosen) {
       << "a run of the machine's own model";
 }
 
+TEST(Recommendation, KnowsThatAnotherModelIsFaster) {
+  std::vector<ComparedRun> runs{run_of("essid", 0.01), run_of("essid", 0.02), run_of("ward", 0.001)};
+  runs[0].summary.cycle_time = 1.2;
+  const auto is_faster = [&](double time) {
+    runs[2].summary.cycle_time = time;
+    const auto taken = recommend(std::span<const ComparedRun>(runs), std::nullopt);
+    EXPECT_EQ(taken->run, 1u);
+    return another_model_is_faster(runs, *taken);
+  };
+  EXPECT_TRUE(is_faster(0.9));
+  EXPECT_FALSE(is_faster(1.1));
+  runs[2].lines_not_run = 1;
+  EXPECT_FALSE(is_faster(0.9));
+}
+
 TEST(Recommendation, HoldsItsRuleOnRandomRuns) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> any(0, 1);

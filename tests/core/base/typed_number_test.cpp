@@ -34,13 +34,6 @@ TEST(TypedNumber, IsRefusedWhereACommaCouldGroupThousands) {
   }
 }
 
-TEST(TypedNumber, AListIsNotTakenForGroupedThousands) {
-  for (const char* text : {"0.002,0.01,0.05", "1,2,3", "12,34.5"}) {
-    EXPECT_FALSE(typed_number(text).value) << text;
-    EXPECT_TRUE(typed_number(text).problem.empty()) << text;
-  }
-}
-
 /// Over all ways to write a number with one comma: it is the number that the comma as a point gives, or
 /// refused; and it is refused exactly where leaving out the comma gives a number that people group so.
 TEST(TypedNumber, NeverTakesAFactor) {

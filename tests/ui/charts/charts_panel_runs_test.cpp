@@ -60,7 +60,7 @@ TEST_F(ChartsRuns, AnotherRunIsDrawnInItsColourAndNamed) {
 
 TEST_F(ChartsRuns, BesideOthersEachTitleNamesTheRun) {
   const auto texts = [this] {
-    test::RecordedText paper;
+    feedscope::test::RecordedText paper;
     QPainter painter(&paper);
     panel.draw(painter);
     return paper.texts();

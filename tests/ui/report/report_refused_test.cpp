@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/ui/report/report_fixture.h"
+#include "ui/report/blocks/report_decision.h"
 #include "ui/report/report_tables.h"
 
 namespace feedscope::ui {
@@ -10,8 +11,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// The summary of a program on a machine of grbl, by each of these models.
-std::string summary_of_models(const std::string& text, const std::vector<std::string>& models) {
+/// Runs of a program on a machine of grbl, by each of these models.
+ReportInput runs_of_models(const std::string& text, const std::vector<std::string>& models) {
   QLocale::setDefault(QLocale::c());
   const LoadedProgram program = load_program(std::make_shared<const SourceText>("part.nc", text));
   std::vector<std::shared_ptr<const ShownRun>> shown;
@@ -20,7 +21,11 @@ std::string summary_of_models(const std::string& text, const std::vector<std::st
   }
   ReportInput input;
   input.runs = report_runs(shown);
-  return summary_block(input).remove("<wbr>").toStdString();
+  return input;
+}
+
+std::string summary_of_models(const std::string& text, const std::vector<std::string>& models) {
+  return summary_block(runs_of_models(text, models)).remove("<wbr>").toStdString();
 }
 
 TEST(ReportRefused, AProgramWithoutAFeedMotionHasNoTime) {
@@ -35,6 +40,15 @@ TEST(ReportRefused, AProgramWithoutAFeedMotionHasNoTime) {
 TEST(ReportRefused, TheTimeOfAPartSaysHowMuchOfItIsNotRun) {
   EXPECT_THAT(summary_of_models("G21 G90\nG1 X10 F1000\nG1 X200 H1\nX10\n", {"grbl"}),
               AllOf(HasSubstr(" takes "), HasSubstr("and that are not run: 1.")));
+}
+
+TEST(ReportRefused, ARunOfAPartIsNamedAndNotComparedWithTheWhole) {
+  const ReportInput input =
+      runs_of_models("G21 G90\nG1 X10 F1000\nG1 X200 H1\nX10\n", {"cam", "grbl", "cam"});
+  EXPECT_THAT(verdict_block(input).toStdString(), HasSubstr("<b>B</b> – 1 line of the program"));
+  ReportPictures pictures;
+  const QString table = runs_table_block(input, pictures);
+  EXPECT_EQ(table.count(" %"), 1) << table.toStdString();  // between the whole runs
 }
 
 /// Rapids take time, but no part is made: no table has that time as a result.

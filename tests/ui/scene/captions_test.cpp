@@ -13,7 +13,8 @@ struct FullCaptions {
   FullCaptions() {
     captions.colours = &scene_colours(Background::light);
     captions.texts = &texts;
-    captions.entries = {true, true, true, true, true, true, {{"essid, 0.01 mm", {}}, {"ward, 0.1 mm", {}}}};
+    captions.entries = {true, true, true, true,
+                        true, true, true, {{"essid, 0.01 mm", {}}, {"ward, 0.1 mm", {}}}};
     captions.key.scale = {.unit = "mm/min", .low = 0, .high = 12000, .beyond = true};
     captions.cube = true;
   }

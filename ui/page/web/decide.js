@@ -54,12 +54,16 @@ export function decisionTexts(runs, taken, within) {
       rule: tr('The cycle times differ by less than 1 %. This run has the smallest error.'),
     };
   }
+  const otherModel = choices.some(
+    (run) => run.other_model && run.lines_not_run <= choice.lines_not_run && run.time < choice.time,
+  );
   return {
     headline: tr('%1: %2, %3 less than %4, %5.', name, time, shareText(taken.gainShare), names[taken.against], errorText(choice)),
     rule:
-      taken.reason === 'fastest'
+      (taken.reason === 'fastest'
         ? tr('The fastest run. None within 1 % of it has a smaller error.')
-        : tr('The smallest error within 1 % of the fastest run.'),
+        : tr('The smallest error within 1 % of the fastest run.')) +
+      (otherModel ? ' ' + tr("Runs with another model than their machine's own do not count.") : ''),
   };
 }
 

@@ -5,6 +5,7 @@
 #include <QPen>
 #include <QRegularExpression>
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <set>
 
@@ -100,25 +101,32 @@ QString reading_fault(const ReportInput& input) {
                          .arg(reading_faults_text(program).toHtmlEscaped(), message_text(*first)));
 }
 
-/// Parts of the program that the machine or the control cannot run; no sentence twice.
+/// Parts of the program that the machine or the control cannot run; no sentence twice, with the letters of
+/// its runs unless it is about all.
 QString run_faults(const ReportInput& input) {
-  QStringList texts;
-  for (const ReportRun& run : input.runs) {
-    const LoadedProgram& program = run.shown->run.input;
-    if (const Diagnostic* first = first_fault(program.toolpath->machine_faults)) {
-      texts.append(message_text(*first));
+  std::vector<std::pair<QString, QStringList>> texts;
+  for (std::size_t row = 0; row < input.runs.size(); ++row) {
+    const auto add = [&](const QString& text) {
+      auto known = std::ranges::find(texts, text, &std::pair<QString, QStringList>::first);
+      known = known != texts.end() ? known : texts.insert(known, {text, {}});
+      known->second.append(run_letter(row));
+    };
+    const Run& run = input.runs[row].shown->run;
+    if (const Diagnostic* first = first_fault(run.input.toolpath->machine_faults)) {
+      add(message_text(*first));
     }
-    if (const auto other = control_mismatch(run.shown->run.setup.machine, program.program->dialect)) {
-      texts.append(html_text(in_language(describe(*other))));
+    if (const auto other = control_mismatch(run.setup.machine, run.input.program->dialect)) {
+      add(html_text(in_language(describe(*other))));
     }
-    if (const Message refused = refused_note(program.lines_not_run); !refused.empty()) {
-      texts.append(html_text(in_language(refused)));
+    if (const Message refused = refused_note(run.input.lines_not_run); !refused.empty()) {
+      add(html_text(in_language(refused)));
     }
   }
-  texts.removeDuplicates();
   QString html;
-  for (const QString& text : texts) {
-    html += fault(text);
+  for (const auto& [text, letters] : texts) {
+    html += fault(letters.size() == static_cast<qsizetype>(input.runs.size())
+                      ? text
+                      : QStringLiteral("<b>%1</b> – %2").arg(letters.join(QStringLiteral(", ")), text));
   }
   return html;
 }
@@ -171,11 +179,19 @@ QString line_sample(const ReportInput& input, std::size_t row, ReportPictures& p
                       ReportWords::tr("Line of %1").arg(run_letter(row)));
 }
 
+std::size_t refused_lines(const ReportRun& run) {
+  return run.shown->run.input.lines_not_run.size();
+}
+
 QString decision_chart(const ReportInput& input, ReportPictures& pictures) {
   const auto taken = recommendation(input);
+  std::size_t least_refused = std::numeric_limits<std::size_t>::max();  // the others run less
+  for (const ReportRun& run : input.runs) {
+    least_refused = moves(run) ? std::min(least_refused, refused_lines(run)) : least_refused;
+  }
   std::vector<DecisionDot> dots;
   for (std::size_t row = 0; row < input.runs.size(); ++row) {
-    if (moves(input.runs[row])) {
+    if (moves(input.runs[row]) && refused_lines(input.runs[row]) == least_refused) {
       const Summary& summary = summary_of(input.runs[row]);
       dots.push_back({row, summary.cycle_time, deciding_error(summary), run_letter(row),
                       input.runs[row].colour, taken && taken->run == row, taken && taken->run == row});
@@ -391,6 +407,7 @@ QString runs_table_block(const ReportInput& input, ReportPictures& pictures) {
     const ReportRun& run = input.runs[row];
     const Summary& summary = summary_of(run);
     const double reference = summary_of(input.runs[against]).cycle_time;
+    const bool same_lines = refused_lines(run) == refused_lines(input.runs[against]);
     QStringList cells{html_text(names[static_cast<qsizetype>(row)])};
     several ? cells.prepend(run_letter(row) + "&nbsp; " + line_sample(input, row, pictures))
             : cells.append(QString());
@@ -400,7 +417,7 @@ QString runs_table_block(const ReportInput& input, ReportPictures& pictures) {
     } else {
       cells << clock_text(summary.cycle_time)
             << (!several ? QString()
-                : row == against || !(reference > 0)
+                : row == against || !(reference > 0) || !same_lines
                     ? QStringLiteral("–")
                     : signed_percent(summary.cycle_time / reference - 1) + " %")
             << error_number(deciding_error(summary))
