@@ -8,8 +8,10 @@
 #include <cmath>
 #include <functional>
 
+#include "core/analysis/notes/not_counted.h"
 #include "core/base/error.h"
 #include "core/toolpath/machine_toolpath.h"
+#include "ui/language/in_language.h"
 #include "ui/language/texts.h"
 #include "ui/report/blocks/report_cards.h"
 #include "ui/report/blocks/report_time.h"
@@ -21,7 +23,6 @@
 #include "ui/scene/scene_style.h"
 #include "ui/theme/fonts.h"
 #include "ui/theme/theme.h"
-#include "ui/workbench/reading_faults.h"
 #include "ui/workbench/run_comparison.h"
 #include "ui/workbench/run_list.h"
 
@@ -74,7 +75,7 @@ QRectF paint_caption(QPainter& painter, const ReportInput& input, const QString&
       QStringList{input.heading(), QString::fromStdString(run.setup.machine.name), input.run().name,
                   clock_text(run.trajectory->duration()), PictureCaption::tr("colour: %1").arg(colours)}
           .join(separator);
-  const QString omitted = not_counted_text(not_counted(*run.input.toolpath));
+  const QString omitted = in_language(not_counted_note(not_counted(*run.input.toolpath)));
   const QString whole = omitted.isEmpty() ? text : text + separator + omitted;
 
   QFont font = QApplication::font();

@@ -9,7 +9,6 @@
 #include "core/analysis/agreement/trace_on_program.h"
 #include "core/analysis/notes/not_counted.h"
 #include "core/analysis/notes/refused_lines.h"
-#include "core/analysis/notes/unadvised_tolerance.h"
 #include "core/analysis/notes/unreachable_feed.h"
 #include "core/analysis/run/control_dialect.h"
 #include "core/analysis/run/run.h"

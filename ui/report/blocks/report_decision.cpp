@@ -8,8 +8,9 @@
 #include <memory>
 #include <set>
 
+#include "core/analysis/notes/not_counted.h"
 #include "core/analysis/notes/refused_lines.h"
-#include "core/analysis/run/control_dialect.h"
+#include "core/analysis/notes/remarks.h"
 #include "core/analysis/study/recommendation.h"
 #include "core/analysis/time/time_report.h"
 #include "ui/decide/decision_chart.h"
@@ -108,11 +109,8 @@ QString run_faults(const ReportInput& input) {
     if (const Diagnostic* first = first_fault(program.toolpath->machine_faults)) {
       texts.append(message_text(*first));
     }
-    if (const auto other = control_mismatch(run.shown->run.setup.machine, program.program->dialect)) {
-      texts.append(html_text(in_language(describe(*other))));
-    }
-    if (const Message refused = refused_note(program.lines_not_run); !refused.empty()) {
-      texts.append(html_text(in_language(refused)));
+    for (const Message& text : texts_about(remarks(run.shown->run), {Remark::About::validity})) {
+      texts.append(html_text(in_language(text)));
     }
   }
   texts.removeDuplicates();
@@ -428,8 +426,8 @@ QString path_block(const ReportInput& input, ReportPictures& pictures) {
           ? (several ? ReportWords::tr("Executed path of %1, coloured by its feed.").arg(name)
                      : ReportWords::tr("Executed path, coloured by its feed."))
           : (several ? ReportWords::tr("Executed path of %1.").arg(name) : ReportWords::tr("Executed path."));
-  if (const QString events = not_counted_text(run.summary.not_counted); !events.isEmpty()) {
-    caption += ' ' + html_text(events) + '.';
+  if (const Message events = not_counted_note(run.summary.not_counted); !events.empty()) {
+    caption += ' ' + html_text(in_language(events)) + '.';
   }
   return elastic_view(without_other_runs(input), pictures, caption);
 }
