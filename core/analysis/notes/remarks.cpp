@@ -144,7 +144,7 @@ Message ignored_limits(const Examined& of) {
 /// For a model in which axes change their velocity within no time.
 Message jumps(const Examined& of) {
   const Guarantees promised = of.promised();
-  if (!promised.limits_jerk && of.setup().model->info().limits.jumps_in_corners) {
+  if (!promised.limits_jerk && of.setup().model->info().jumps_in_corners) {
     return NC_("core",
                "No jerk is limited: the acceleration jumps, and where blocks meet the velocity "
                "of an axis, too. There is no largest jerk, and the largest accelerations are "
