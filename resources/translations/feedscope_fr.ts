@@ -7932,10 +7932,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>{} limite {} s du temps de cycle ({} %), mais les enregistrements dont la machine a été identifiée ne déterminent pas cette valeur.</translation>
     </message>
     <message>
-        <source>Line {} asks for a feed of {:.0f} mm/min; all axes of this machine together reach {:.0f} mm/min: what is lost against the programmed feed tells little there.</source>
-        <translation>La ligne {} demande une avance de {} mm/min&#xa0;; tous les axes de cette machine ensemble atteignent {} mm/min&#xa0;: ce qui est perdu par rapport à l’avance programmée n’y dit pas grand-chose.</translation>
-    </message>
-    <message>
         <source>also in line {}</source>
         <translation>aussi à la ligne {}</translation>
     </message>
@@ -10174,6 +10170,42 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>Line {} asks for a feed of {}; all axes of this machine together reach {}: what is lost against the programmed feed tells little there.</source>
         <translation>La ligne {} demande une avance de {}&#xa0;; tous les axes de cette machine ensemble atteignent {}&#xa0;: ce qui est perdu par rapport à l’avance programmée n’y dit pas grand-chose.</translation>
+    </message>
+    <message>
+        <source>axis {} of the kinematic chain: {}</source>
+        <translation>axe {} de la chaîne cinématique&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>its direction has no length; give three numbers, such as 0, 0, 1</source>
+        <translation>sa direction est de longueur nulle&#xa0;; donnez trois nombres, comme 0, 0, 1</translation>
+    </message>
+    <message>
+        <source>its travel is empty, from {:g} to {:g}</source>
+        <translation>sa course est vide, de {:g} à {:g}</translation>
+    </message>
+    <message>
+        <source>it carries the part, but follows one that carries the tool; list those that carry the part first</source>
+        <translation>il porte la pièce, mais suit un axe qui porte l’outil&#xa0;; donnez d’abord les axes qui portent la pièce</translation>
+    </message>
+    <message>
+        <source>a kinematic chain needs three linear axes and has {}</source>
+        <translation>une chaîne cinématique a besoin de trois axes linéaires et en a {}</translation>
+    </message>
+    <message>
+        <source>the three linear axes of a kinematic chain lie in one plane</source>
+        <translation>les trois axes linéaires d’une chaîne cinématique sont dans un même plan</translation>
+    </message>
+    <message>
+        <source>a kinematic chain needs one or two rotary axes and has {}</source>
+        <translation>une chaîne cinématique a besoin d’un ou deux axes rotatifs et en a {}</translation>
+    </message>
+    <message>
+        <source>it is parallel to {}: together they turn the tool in one plane only</source>
+        <translation>il est parallèle à {}&#xa0;: ensemble, ils ne tournent l’outil que dans un plan</translation>
+    </message>
+    <message>
+        <source>it lies along the tool, which it does not turn</source>
+        <translation>il est dans l’axe de l’outil, qu’il ne tourne donc pas</translation>
     </message>
 </context>
 <context>
