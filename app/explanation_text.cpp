@@ -11,8 +11,7 @@
 #include "app/print.h"
 #include "core/analysis/notes/not_counted.h"
 #include "core/analysis/notes/refused_lines.h"
-#include "core/analysis/notes/run_notes.h"
-#include "core/analysis/notes/unreachable_feed.h"
+#include "core/analysis/notes/remarks.h"
 #include "core/analysis/run/setup_options.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
@@ -61,9 +60,6 @@ std::string conclusion(const Run& run, const TimeReport& report) {
                         percent(std::abs(use.lost()), use.cycle_time), use.cycle_time / use.programmed_time);
   }
   text += ". ";
-  if (const auto percent = feed_override(run.setup)) {
-    text += fmt::format("Programmed means with the feed override of {:.4g} %. ", *percent);
-  }
   text += mean_feed_text(use);
   if (!report.slow.groups.empty() && report.slow.groups.front().loss > worth_a_row * use.cycle_time) {
     const SlowGroup& most = report.slow.groups.front();
@@ -365,11 +361,8 @@ std::string explanation_text(const Run& run, const TimeReport& report, const Pro
   if (const std::string missing = describe(run.summary.not_counted).english(); !missing.empty()) {
     out += fmt::format("Not in the cycle time: {}\n", missing);
   }
-  if (const char* const note = limits_note(run.setup)) {
-    out += wrapped(note, 0) + "\n";
-  }
-  if (const auto feed = feed_beyond_machine(run.input, *run.input.toolpath, run.setup)) {
-    out += wrapped(describe(*feed).english(), 0) + "\n";
+  for (const Message& text : texts_about(remarks(run), {Remark::About::programmed, Remark::About::time})) {
+    out += wrapped(text.english(), 0) + "\n";
   }
   out += "\nWhat it consists of\n" + kinds_text(use);
   out += "\nWhat limits it, with braking for it\n" + causes_text(use);

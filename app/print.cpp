@@ -10,9 +10,7 @@
 
 #include "core/analysis/notes/not_counted.h"
 #include "core/analysis/notes/refused_lines.h"
-#include "core/analysis/notes/run_notes.h"
-#include "core/analysis/notes/undetermined_limits.h"
-#include "core/analysis/notes/unreachable_feed.h"
+#include "core/analysis/notes/remarks.h"
 #include "core/analysis/run/tolerance_in_force.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
@@ -347,30 +345,6 @@ std::string figure_text(const SourceFigure& figure, const Summary& summary) {
                            shown_unit(figure.dimension).decimals);
 }
 
-namespace {
-
-/// Notes on the largest values; empty without any.
-std::string figure_notes_text(const Run& run) {
-  const Guarantees promised = run.setup.model->guarantees(run.setup.settings);
-  const bool has_ramps = promised.limits_jerk || jump_note(run.setup) != nullptr;
-  std::string text =
-      has_ramps
-          ? ""
-          : "  without the jumps of the speed and of the acceleration, which this model does not limit\n";
-  for (const char* const note : figure_notes(*run.input.toolpath, run.setup)) {
-    text += "  " + wrapped(note, 2) + "\n";
-  }
-  if (const auto feed = feed_beyond_machine(run.input, *run.input.toolpath, run.setup)) {
-    text += "  " + wrapped(describe(*feed).english(), 2) + "\n";
-  }
-  for (const UndeterminedLimit& limit : undetermined_limits(run)) {
-    text += "  " + wrapped(describe(limit).english(), 2) + "\n";
-  }
-  return text;
-}
-
-}  // namespace
-
 std::string not_run_text(std::size_t lines) {
   return lines == 0   ? ""
          : lines == 1 ? " The control refuses 1 line of the program; it is not run."
@@ -413,9 +387,13 @@ std::string summary_text(const Run& run) {
       in_rapid ? fmt::format(" in a rapid, {:.4f} mm in feed motions", s.cutting_contour_error) : "";
   figures.add({"contour error", fmt::format("at most {:.4f} mm{}{}{}{}", s.max_contour_error, where, cutting,
                                             blends, curves)});
-  return out + figures.text("ll") + "\nLargest values\n" + axis_table(run) + rotary_text(run) +
-         figure_notes_text(run) + actual_text(s) + load_text(s) + "\nTime by limiting cause\n" +
-         cause_table(s);
+  using About = Remark::About;
+  std::string below;
+  for (const Message& text : texts_about(remarks(run), {About::programmed, About::time, About::values})) {
+    below += "  " + wrapped(text.english(), 2) + "\n";
+  }
+  return out + figures.text("ll") + "\nLargest values\n" + axis_table(run) + rotary_text(run) + below +
+         actual_text(s) + load_text(s) + "\nTime by limiting cause\n" + cause_table(s);
 }
 
 }  // namespace feedscope

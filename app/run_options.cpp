@@ -7,9 +7,6 @@
 #include <set>
 
 #include "app/number_option.h"
-#include "core/analysis/notes/ignored_path_control.h"
-#include "core/analysis/notes/refused_lines.h"
-#include "core/analysis/notes/run_notes.h"
 #include "core/analysis/run/control_dialect.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
@@ -325,34 +322,6 @@ void note_unused_reading(const Program& program, const ReadOptions& asked) {
     if (std::ranges::find(tools, tool) == tools.end()) {
       note(fmt::format("the cutter radius of tool '{}'", tool), tools,
            "the program uses no cutter radius compensation");
-    }
-  }
-}
-
-void note_runs(const LoadedProgram& program, const std::vector<Setup>& setups) {
-  std::set<std::string> said;
-  const auto note = [&](std::string text) {
-    if (!text.empty() && said.insert(text).second) {
-      fmt::print(stderr, "feedscope: note: {}\n", text);
-    }
-  };
-  for (const Setup& setup : setups) {
-    const auto of_model = [&](const std::string& text) {
-      return text.empty() ? "" : fmt::format("model '{}': {}", setup.model->info().id, text);
-    };
-    if (const auto mismatch = control_mismatch(setup.machine, program.program->dialect)) {
-      note(describe(*mismatch).english());
-    }
-    if (const std::string offsets = unused_work_offsets(*program.program, setup.machine); !offsets.empty()) {
-      note(fmt::format("the program was read with work offsets other than those of machine '{}' ({})",
-                       setup.machine.id, offsets));
-    }
-    for (const Message& of_drive : drive_notes(setup.machine)) {
-      note(of_drive.english());
-    }
-    note(of_model(refused_note(refused_lines(program, setup)).english()));
-    for (const Message& sentence : ignored_path_control(program, setup)) {
-      note(of_model(sentence.english()));
     }
   }
 }

@@ -84,9 +84,6 @@ void add_set_option(CLI::App& command, std::vector<std::string>& assignments);
 void note_unused_reading(const Program& program, const ReadOptions& asked);
 /// Reports on standard error a requested tolerance that replaces the program's own in a run of `setups`.
 void note_replaced_tolerance(const Toolpath& toolpath, const std::vector<Setup>& setups);
-/// Prints notes on the setups to standard error, each once: a control that does not read the dialect, other
-/// work offsets, drives, refused lines and path control that is not followed.
-void note_runs(const LoadedProgram& program, const std::vector<Setup>& setups);
 /// Prints to standard error each model that does not read the requested tolerances.
 void note_unused_tolerances(const std::vector<std::string>& tolerances, const std::vector<Setup>& setups);
 

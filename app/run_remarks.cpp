@@ -1,10 +1,77 @@
 #include "app/run_remarks.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "app/exit_codes.h"
 #include "app/print.h"
 #include "core/analysis/notes/refused_lines.h"
 
 namespace feedscope {
+namespace {
+
+std::string model_name(const Setup& setup) {
+  return fmt::format("model '{}'", setup.model->info().id);
+}
+
+std::string machine_name(const Setup& setup) {
+  return fmt::format("machine '{}'", setup.machine.id);
+}
+
+std::string run_name(const Setup& setup) {
+  return model_name(setup) + " on " + machine_name(setup);
+}
+
+/// Prefix that names some of several runs, by machine or model if all runs with these are among them: "model
+/// 'essid', model 'ward': ". Empty for all runs.
+std::string names_of(const std::vector<bool>& chosen, std::span<const RemarkedSetup> runs) {
+  if (std::ranges::find(chosen, false) == chosen.end()) {
+    return {};
+  }
+  for (const auto name : {machine_name, model_name, run_name}) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      if (std::string one = name(*runs[i].setup); chosen[i] && std::ranges::find(names, one) == names.end()) {
+        names.push_back(std::move(one));
+      }
+    }
+    const auto is_named = [&](const RemarkedSetup& run) {
+      return std::ranges::find(names, name(*run.setup)) != names.end();
+    };
+    const auto named = static_cast<std::ptrdiff_t>(std::ranges::count_if(runs, is_named));
+    if (named == std::ranges::count(chosen, true) || name == run_name) {
+      return fmt::format("{}: ", fmt::join(names, ", "));
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+void note_remarks(std::span<const RemarkedSetup> runs) {
+  using About = Remark::About;
+  std::vector<std::pair<Message, std::vector<bool>>> notes;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    for (const Message& text :
+         texts_about(runs[i].remarks, {About::validity, About::path_control, About::drives})) {
+      auto note = std::ranges::find(notes, text, &std::pair<Message, std::vector<bool>>::first);
+      if (note == notes.end()) {
+        note = notes.insert(notes.end(), {text, std::vector<bool>(runs.size())});
+      }
+      note->second[i] = true;
+    }
+  }
+  for (const auto& [text, chosen] : notes) {
+    fmt::print(stderr, "feedscope: note: {}{}\n", names_of(chosen, runs), text.english());
+  }
+}
 
 void tell_of_run(const Run& run, const RunOptions& asked, const ReadOptions& reading) {
   if (!asked.tolerance.empty()) {
@@ -12,7 +79,8 @@ void tell_of_run(const Run& run, const RunOptions& asked, const ReadOptions& rea
     note_replaced_tolerance(*run.input.toolpath, {run.setup});
   }
   note_unused_reading(*run.input.program, reading);
-  note_runs(run.input, {run.setup});
+  const RemarkedSetup remarked{&run.setup, remarks(run)};
+  note_remarks({&remarked, 1});
   print_messages(run);
 }
 

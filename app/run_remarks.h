@@ -1,12 +1,25 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "app/run_options.h"
+#include "core/analysis/notes/remarks.h"
 #include "core/analysis/run/run.h"
 
 namespace feedscope {
 
-/// Prints the notes on one run to standard error: whether `asked` replaces the program's tolerances, the
-/// unused part of `reading`, note_runs(), and print_messages().
+/// A setup and the remarks on its run.
+struct RemarkedSetup {
+  const Setup* setup = nullptr;
+  std::vector<Remark> remarks;
+};
+/// Prints remarks that concern program, control and machine to standard error, each once, with the machines
+/// or models if it is not one on all `runs`. Those on figures are printed with these.
+void note_remarks(std::span<const RemarkedSetup> runs);
+
+/// Prints to standard error all that is to be known of one run: whether `asked` replaces the program's
+/// tolerances, the unused part of `reading`, note_remarks(), and print_messages().
 void tell_of_run(const Run& run, const RunOptions& asked, const ReadOptions& reading);
 /// Prints to standard error the messages on the program of a run, on refused lines and on positions or
 /// motions that the machine cannot do.

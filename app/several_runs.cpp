@@ -116,7 +116,11 @@ int tell_of_shown_runs(const ui::ReportInput& input, const std::vector<std::stri
     note_unused_tolerances(tolerances, setups);
     note_replaced_tolerance(*input.program().toolpath, setups);
   }
-  note_runs(input.program(), setups);
+  std::vector<RemarkedSetup> remarked;
+  for (std::size_t i = 0; i < input.runs.size(); ++i) {
+    remarked.push_back({&setups[i], remarks(input.runs[i].shown->run)});
+  }
+  note_remarks(remarked);
   print_diagnostics(program);
   for (const ui::UnmadeRun& run : input.unmade) {
     fmt::print(stderr, "feedscope: {} could not be simulated: {}\n", run.name.toStdString(),

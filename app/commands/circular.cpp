@@ -18,7 +18,7 @@
 #include "app/watch.h"
 #include "core/analysis/circularity/program_circles.h"
 #include "core/analysis/circularity/test_program.h"
-#include "core/analysis/notes/run_notes.h"
+#include "core/analysis/notes/remarks.h"
 #include "core/analysis/run/run_stages.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
@@ -182,7 +182,7 @@ int circular_test(const CircularOptions& options) {
   write_outputs(
       options, setup, [&] { return circular_json(setup, tests); }, [&] { return circular_csv(tests); }, tests,
       program);
-  for (const Message& note : drive_notes(setup.machine)) {
+  for (const Message& note : drive_remarks(setup.machine)) {
     fmt::print(stderr, "feedscope: note: {}\n", note.english());
   }
   if (!to_standard_output(options)) {

@@ -269,7 +269,8 @@ int compare_two(const CompareOptions& options) {
   if (!tolerance.empty()) {
     note_unused_tolerances({tolerance}, {now.setup});
   }
-  note_runs(now.input, {now.setup});
+  const RemarkedSetup remarked{&now.setup, remarks(now)};
+  note_remarks({&remarked, 1});
   for (const Run* run : {&old, &now}) {
     print_messages(*run);
   }
@@ -317,7 +318,11 @@ int compare(const CompareOptions& options) {
     note_replaced_tolerance(*program.toolpath, setups);
   }
   note_unused_reading(*program.program, asked.reading);
-  note_runs(program, setups);
+  std::vector<RemarkedSetup> remarked;
+  for (const StudyRun& run : study.runs) {
+    remarked.push_back({&run.setup, run.remarks});
+  }
+  note_remarks(remarked);
   print_diagnostics(*program.program);
   if (!files.to_standard_output()) {
     fmt::print("{}", text_of(options, program, study));

@@ -5,7 +5,6 @@
 #include "core/analysis/contour/contour_report.h"
 #include "core/analysis/notes/not_counted.h"
 #include "core/analysis/notes/refused_lines.h"
-#include "core/analysis/notes/run_notes.h"
 #include "core/analysis/notes/slower_tolerance.h"
 #include "core/analysis/notes/tolerance_effect.h"
 #include "core/analysis/run/program_facts.h"
@@ -259,21 +258,20 @@ Json actual_json(const Summary& summary) {
             {"of_control_mm", rounded_length(actual.worst.of_control)}}}};
 }
 
-/// run_notes() and undetermined_limits() as sentences.
-std::vector<std::string> notes_of(const LoadedProgram& program, const ComparedRun& run) {
+/// The remarks on a run but for `not_counted`, which has a key of its own.
+std::vector<std::string> notes_of(const ComparedRun& run) {
   std::vector<std::string> notes;
-  for (const Message& note : run_notes(program, run.setup)) {
-    notes.push_back(note.english());
-  }
-  for (const UndeterminedLimit& limit : run.undetermined) {
-    notes.push_back(describe(limit).english());
+  for (const Remark& remark : run.remarks) {
+    if (remark.about != Remark::About::not_counted) {
+      notes.push_back(remark.text.english());
+    }
   }
   return notes;
 }
 
 /// Setup and results of a run: the same keys for all commands, null for times, feeds and errors of a run
 /// without `figures`.
-Json run_json(const LoadedProgram& program, const ComparedRun& run, bool figures) {
+Json run_json(const ComparedRun& run, bool figures) {
   const Machine& machine = run.setup.machine;
   const ModelInfo& model = run.setup.model->info();
   const Summary& summary = run.summary;
@@ -284,7 +282,7 @@ Json run_json(const LoadedProgram& program, const ComparedRun& run, bool figures
           {"limits", machine_limits(machine)},
           {"tolerance_in_force_mm", tolerance_json(run.tolerance)},
           {"tolerance_set_by", run.tolerance ? Json(to_string(run.tolerance->set_by)) : Json()},
-          {"notes", notes_of(program, run)},
+          {"notes", notes_of(run)},
           {"lines_not_run", run.lines_not_run},
           {"out_of_reach", run.out_of_reach},
           {"cycle_time_s", figure(finite(summary.cycle_time))},
@@ -367,7 +365,7 @@ std::vector<Diagnostic> messages_of(const LoadedProgram& program) {
 
 Json run_head_json(const LoadedProgram& program, const ComparedRun& run) {
   Json json{{"program", program_json(*program.program, *program.toolpath)}};
-  json.update(run_json(program, run, !run.refused));
+  json.update(run_json(run, !run.refused));
   return json;
 }
 
@@ -468,7 +466,7 @@ std::string comparison_json(const LoadedProgram& program, std::span<const Compar
   Json list = Json::array();
   std::vector<double> times;
   for (const ComparedRun& run : runs) {
-    list.push_back(run_json(program, run, run.is_possible()));
+    list.push_back(run_json(run, run.is_possible()));
     times.push_back(run.simulate_time);
   }
   Json json = with_runs("comparison", program, std::move(list));
@@ -485,7 +483,7 @@ std::string study_json(const LoadedProgram& program, const Study& study) {
     const std::vector<bool> marks = fastest_marks(curve, study.within);
     for (std::size_t at = 0; at < curve.size(); ++at) {
       const StudyRun& run = curve[at];
-      Json json = run_json(program, run, run.is_possible());
+      Json json = run_json(run, run.is_possible());
       Json swept = Json::object();
       for (std::size_t i = 0; i < study.sweeps.size(); ++i) {
         swept[study.sweeps[i].key] = run.swept[i];

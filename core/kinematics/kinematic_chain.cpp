@@ -1,12 +1,11 @@
 #include "core/kinematics/kinematic_chain.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/base/error.h"
+#include "core/base/message.h"
 
 namespace feedscope {
 namespace {
@@ -64,8 +63,8 @@ T angle_between(const Vector<T>& from, const Vector<T>& to, const Vector<T>& axi
   return atan2(dot(axis, cross(a, b)), dot(a, b));
 }
 
-[[noreturn]] void refuse(const ChainAxis& axis, const std::string& what) {
-  throw InputError(fmt::format("axis {} of the kinematic chain: {}", axis.name, what));
+[[noreturn]] void refuse(const ChainAxis& axis, const Message& what) {
+  throw InputError(message(NC_("core", "axis {} of the kinematic chain: {}"), axis.name, what));
 }
 
 double nearest_turn(double angle, double from) {
@@ -81,40 +80,43 @@ KinematicChain::KinematicChain(std::vector<ChainAxis> axes, const Vec3& gauge, c
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     ChainAxis& axis = axes_[i];
     if (!(axis.direction.norm() > 0) || !axis.direction.allFinite()) {
-      refuse(axis, "its direction has no length; give three numbers, such as 0, 0, 1");
+      refuse(axis, NC_("core", "its direction has no length; give three numbers, such as 0, 0, 1"));
     }
     axis.direction.normalize();
     if (!(axis.least < axis.most)) {
-      refuse(axis, fmt::format("its travel is empty, from {:g} to {:g}", axis.least, axis.most));
+      refuse(axis, message(NC_("core", "its travel is empty, from {:g} to {:g}"), axis.least, axis.most));
     }
     if (axis.carries_part && tool_side) {
-      refuse(axis, "it carries the part and stands behind one that carries the tool; list those first");
+      refuse(axis, NC_("core",
+                       "it carries the part, but follows one that carries the tool; list those that carry "
+                       "the part first"));
     }
     tool_side = !axis.carries_part;
     (axis.rotary ? rotary_ : linear_).push_back(i);
   }
   if (linear_.size() != 3) {
-    throw InputError(fmt::format("a kinematic chain needs three linear axes and has {}", linear_.size()));
+    throw InputError(
+        message(NC_("core", "a kinematic chain needs three linear axes and has {}"), linear_.size()));
   }
   Eigen::Matrix3d slides;
   for (int i = 0; i < 3; ++i) {
     slides.col(i) = axes_[linear_[static_cast<std::size_t>(i)]].direction;
   }
   if (std::abs(slides.determinant()) < parallel) {
-    throw InputError("the three linear axes of a kinematic chain lie in one plane");
+    throw InputError(Message(NC_("core", "the three linear axes of a kinematic chain lie in one plane")));
   }
   if (rotary_.empty() || rotary_.size() > 2) {
     throw InputError(
-        fmt::format("a kinematic chain needs one or two rotary axes and has {}", rotary_.size()));
+        message(NC_("core", "a kinematic chain needs one or two rotary axes and has {}"), rotary_.size()));
   }
   if (rotary_.size() == 2 &&
       axes_[rotary_[0]].direction.cross(axes_[rotary_[1]].direction).norm() < parallel) {
     refuse(axes_[rotary_[1]],
-           fmt::format("it is parallel to {}: together they turn the tool in one plane only",
-                       axes_[rotary_[0]].name));
+           message(NC_("core", "it is parallel to {}: together they turn the tool in one plane only"),
+                   axes_[rotary_[0]].name));
   }
   if (axes_[rotary_.back()].direction.cross(tool_).norm() < parallel) {
-    refuse(axes_[rotary_.back()], "it lies along the tool, which it does not turn");
+    refuse(axes_[rotary_.back()], NC_("core", "it lies along the tool, which it does not turn"));
   }
 }
 

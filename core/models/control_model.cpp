@@ -12,6 +12,7 @@
 #include "core/blend/compaction.h"
 #include "core/drives/stop_waits.h"
 #include "core/machine/contour_tolerance.h"
+#include "core/models/explanation/explainer.h"
 #include "core/toolpath/machine_toolpath.h"
 #include "core/trajectory/program_blocks.h"
 
@@ -205,6 +206,14 @@ void apply_setting(const std::string& assignment, const ControlModel& model, Mac
   throw InputError(fmt::format("setting '{}' is unknown to model '{}'; {}known settings: {}", key,
                                model.info().id, near.empty() ? "" : fmt::format("did you mean '{}'? ", near),
                                fmt::join(keys, ", ")));
+}
+
+Explanation ControlModel::explain(const SimulatedMotion& motion, const State& state) const {
+  return motion.trajectory.pieces().empty() ? Explanation{state, {}, {}} : do_explain(motion, state);
+}
+
+Explanation ControlModel::do_explain(const SimulatedMotion& motion, const State& state) const {
+  return Explainer(motion).explain(state);
 }
 
 }  // namespace feedscope

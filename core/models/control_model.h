@@ -13,8 +13,8 @@
 #include "core/base/diagnostic.h"
 #include "core/base/progress.h"
 #include "core/machine/machine.h"
+#include "core/models/explanation/reason.h"
 #include "core/models/guarantees.h"
-#include "core/models/limit_traits.h"
 #include "core/toolpath/toolpath.h"
 #include "core/trajectory/trajectory.h"
 
@@ -29,7 +29,8 @@ struct ModelInfo {
   std::vector<SettingSpec> settings;  ///< beyond those of common_settings()
   std::vector<std::string> uses;      ///< keys of common_settings() that it uses
   std::vector<Message> remarks;       ///< facts beyond Guarantees, one sentence each
-  LimitTraits limits = {};            ///< for explanations
+  /// Corners are passed as programmed, so that the velocity of an axis jumps there.
+  bool jumps_in_corners = false;
 };
 
 /// A program as read by a control.
@@ -68,6 +69,9 @@ class ControlModel {
   /// The path of simulate(), including dwells; its motion may be incomplete.
   Trajectory lay_path(std::shared_ptr<const Toolpath> toolpath, const Machine& machine,
                       const Settings& settings, Progress* progress = nullptr) const;
+  /// Why a motion of this model is not faster at `state`, one of its states, with the numbers of the limit
+  /// there. Cost: a few elements around the place, up to some thousand on ramps over many short blocks.
+  Explanation explain(const SimulatedMotion& motion, const State& state) const;
 
  private:
   using Run = std::function<Trajectory(const std::shared_ptr<const Toolpath>& path)>;
@@ -82,6 +86,8 @@ class ControlModel {
                                  const Settings& settings, Progress* progress) const = 0;
   /// True if do_simulate() makes another model run the path, which then merges its blocks.
   virtual bool takes_path_of_another() const { return false; }
+  /// Default for models whose limits are the shared ones (explanation/explainer.h). The motion has pieces.
+  virtual Explanation do_explain(const SimulatedMotion& motion, const State& state) const;
   /// Default for models whose path does not depend on the motion.
   virtual Trajectory do_lay_path(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
                                  const Settings& settings, Progress* progress) const {

@@ -316,62 +316,6 @@
         <source>Program read with %1</source>
         <translation>Programme lu avec %1</translation>
     </message>
-    <message>
-        <source>1 tool change</source>
-        <translation>1 changement d’outil</translation>
-    </message>
-    <message>
-        <source>%1 tool changes</source>
-        <translation>%1 changements d’outil</translation>
-    </message>
-    <message>
-        <source>1 spindle start</source>
-        <translation>1 démarrage de la broche</translation>
-    </message>
-    <message>
-        <source>%1 spindle starts</source>
-        <translation>%1 démarrages de la broche</translation>
-    </message>
-    <message>
-        <source>1 program stop</source>
-        <translation>1 arrêt programmé</translation>
-    </message>
-    <message>
-        <source>%1 program stops</source>
-        <translation>%1 arrêts programmés</translation>
-    </message>
-    <message>
-        <source>1 move to or from a machine position</source>
-        <translation>1 déplacement vers ou depuis une position machine</translation>
-    </message>
-    <message>
-        <source>%1 moves to or from machine positions</source>
-        <translation>%1 déplacements vers ou depuis des positions machine</translation>
-    </message>
-    <message>
-        <source>motion of %1</source>
-        <translation>mouvement de %1</translation>
-    </message>
-    <message>
-        <source>Not in the cycle time: %1</source>
-        <translation>Hors temps de cycle&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>1 turn of rotary axes for a tilted plane</source>
-        <translation>1 rotation d’axes rotatifs pour un plan incliné</translation>
-    </message>
-    <message>
-        <source>%1 turns of rotary axes for tilted planes</source>
-        <translation>%1 rotations d’axes rotatifs pour des plans inclinés</translation>
-    </message>
-    <message>
-        <source>1 possible delay by X, Y and Z that follow rotary axes (tool length or part zero unknown)</source>
-        <translation>1 retard possible par X, Y et Z qui suivent les axes rotatifs (longueur d’outil ou origine de la pièce inconnue)</translation>
-    </message>
-    <message>
-        <source>%1 possible delays by X, Y and Z that follow rotary axes (tool length or part zero unknown)</source>
-        <translation>%1 retards possibles par X, Y et Z qui suivent les axes rotatifs (longueur d’outil ou origine de la pièce inconnue)</translation>
-    </message>
 </context>
 <context>
     <name>FilmFrames</name>
@@ -1399,14 +1343,6 @@
         <translation>&lt;b&gt;%1&lt;/b&gt; sur %2&#xa0;: &lt;b&gt;%3&lt;/b&gt;, soit %4 fois le temps programmé de %5, à une avance moyenne de %6&#xa0;; en avance, la trajectoire reste à moins de &lt;b&gt;%7&lt;/b&gt; de celle du programme.</translation>
     </message>
     <message>
-        <source>Not in the cycle time: %1.</source>
-        <translation>Hors temps de cycle&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>Not in the cycle time of %1: %2.</source>
-        <translation>Hors temps de cycle (%1)&#xa0;: %2.</translation>
-    </message>
-    <message>
         <source>All runs take %1.</source>
         <translation>Toutes les simulations durent %1.</translation>
     </message>
@@ -2316,45 +2252,6 @@
     </message>
 </context>
 <context>
-    <name>RunNotes</name>
-    <message>
-        <source>The program is written for %1; path and times are those of the %2 of this machine.</source>
-        <translation>Le programme est écrit pour %1 ; cette machine a une %2, dont la trajectoire et les temps sont affichés.</translation>
-    </message>
-    <message>
-        <source>The program was read with work offsets other than those of this machine (%1); reload it to use those of the machine.</source>
-        <translation>Le programme a été lu avec d’autres décalages d’origine que ceux de cette machine (%1)&#xa0;; rechargez-le pour utiliser ceux de la machine.</translation>
-    </message>
-    <message>
-        <source>The drive of axis %1 is poorly damped: it overshoots a step by %2 %; a smaller gain or lag damps it better.</source>
-        <translation>L’entraînement de l’axe %1 est mal amorti : il dépasse un échelon de %2 % ; un gain ou un retard plus petit l’amortit mieux.</translation>
-    </message>
-    <message>
-        <source>No drive is given for %1: followed exactly.</source>
-        <translation>Aucun entraînement n’est donné pour %1 : suivi exact.</translation>
-    </message>
-    <message>
-        <source>Lines that the control refuses are not run: %1.</source>
-        <translation>Les lignes que la commande refuse ne sont pas exécutées&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>%1 limits %2 s of the cycle time (%3 %), but the recordings that the machine was identified from do not determine it.</source>
-        <translation>%1 limite %2 s du temps de cycle (%3 %), mais les enregistrements dont la machine a été identifiée ne déterminent pas cette valeur.</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 à %2</translation>
-    </message>
-    <message>
-        <source>The contour tolerance of %1 is %2 % of the estimated chord error of the short lines (%3); Heidenhain advises 110 to 200 %.</source>
-        <translation>La tolérance de contour de %1 vaut %2 % de l’erreur de corde estimée des lignes courtes (%3) ; Heidenhain conseille 110 à 200 %.</translation>
-    </message>
-    <message>
-        <source>Rotary axes: line %1: %2.</source>
-        <translation>Axes rotatifs : ligne %1 : %2.</translation>
-    </message>
-</context>
-<context>
     <name>Scene</name>
     <message>
         <source>programmed</source>
@@ -2659,20 +2556,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>Avance moyenne %1.</translation>
     </message>
     <message>
-        <source>Lines that the control refuses and that are not in these times: %1.</source>
-        <translation>Lignes que la commande refuse et qui ne sont pas comprises dans ces temps&#xa0;: %1.</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;The control refuses the program:&lt;/b&gt; none of its feed motions is run, and there is no cycle time to explain. Lines that are not run: %1.</source>
         <translation>&lt;b&gt;La commande refuse le programme&#xa0;:&lt;/b&gt; aucun de ses déplacements en avance n’est exécuté, il n’y a pas de temps de cycle à expliquer. Lignes non exécutées&#xa0;: %1.</translation>
     </message>
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>Programmed means with the feed override of %1 %.</source>
-        <translation>« Programmé » veut dire avec la correction d’avance de %1 %.</translation>
     </message>
 </context>
 <context>
@@ -4278,10 +4167,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>No jerk is limited: the acceleration jumps, and where blocks meet the velocity of an axis, too. There is no largest jerk, and the largest accelerations are those between the jumps.</source>
         <translation>Le jerk n’est pas limité : l’accélération saute et, là où les blocs se rejoignent, la vitesse d’un axe aussi. Il n’y a pas de jerk maximal, et les accélérations maximales sont celles entre les sauts.</translation>
-    </message>
-    <message>
-        <source>No jerk is limited: the acceleration jumps, and there is no largest jerk.</source>
-        <translation>Le jerk n’est pas limité : l’accélération saute, et il n’y a pas de jerk maximal.</translation>
     </message>
     <message>
         <source>Velocity, acceleration and jerk of the axis, from rest to rest.</source>
@@ -7632,10 +7517,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>un arrêt d’avance, ou un arrêt que la simulation ne connaît pas&#xa0;; sa durée est comprise dans celle de la trace</translation>
     </message>
     <message>
-        <source>A feed override is set: feeds and times called programmed are those of the program with the override.</source>
-        <translation>Une correction d’avance est réglée : les avances et durées dites programmées sont celles du programme avec cette correction.</translation>
-    </message>
-    <message>
         <source>Feed override</source>
         <translation>Correction d’avance</translation>
     </message>
@@ -8056,24 +7937,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>{} valeurs&#xa0;; il en faut de 2 à {}</translation>
     </message>
     <message>
-        <source>{:.0f} to {:.0f} %</source>
-        <translation>{} à {}&#xa0;%</translation>
-    </message>
-    <message>
-        <source>{:.0f} %</source>
-        <translation>{}&#xa0;%</translation>
-    </message>
-    <message>
-        <source>The contour tolerance of {} mm is {} of the estimated chord error of the short lines ({:.2g} mm); Heidenhain advises 110 to 200 %.</source>
-        <translation>La tolérance de contour de {} mm vaut {} de l’erreur de corde estimée des droites courtes ({} mm)&#xa0;; Heidenhain conseille 110 à 200&#xa0;%.</translation>
-    </message>
-    <message>
         <source>{} limits {:.3g} s of the cycle time ({:.2g} %), but the recordings that the machine was identified from do not determine it.</source>
         <translation>{} limite {} s du temps de cycle ({} %), mais les enregistrements dont la machine a été identifiée ne déterminent pas cette valeur.</translation>
-    </message>
-    <message>
-        <source>Line {} asks for a feed of {:.0f} mm/min; all axes of this machine together reach {:.0f} mm/min: what is lost against the programmed feed tells little there.</source>
-        <translation>La ligne {} demande une avance de {} mm/min&#xa0;; tous les axes de cette machine ensemble atteignent {} mm/min&#xa0;: ce qui est perdu par rapport à l’avance programmée n’y dit pas grand-chose.</translation>
     </message>
     <message>
         <source>also in line {}</source>
@@ -10268,10 +10133,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>Angle de la pièce autour de Z</translation>
     </message>
     <message>
-        <source>{} ... {}</source>
-        <translation>{} ... {}</translation>
-    </message>
-    <message>
         <source>{}{} without a decimal point is used as {} seconds</source>
         <translation>{}{} sans point décimal est lu comme {} secondes</translation>
     </message>
@@ -10298,6 +10159,62 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>{} values; at most {} are possible</source>
         <translation>{} valeurs&#xa0;; {} au plus sont possibles</translation>
+    </message>
+    <message>
+        <source>Not in the cycle time: {}</source>
+        <translation>Hors temps de cycle&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>Programmed means with the feed override of {:.4g} %.</source>
+        <translation>« Programmé » veut dire avec la correction d’avance de {:.4g} %.</translation>
+    </message>
+    <message>
+        <source>Speed and acceleration jump, which this model does not limit: the largest values are those between the jumps.</source>
+        <translation>La vitesse et l’accélération sautent, ce que ce modèle ne limite pas&#xa0;: les valeurs maximales sont celles entre les sauts.</translation>
+    </message>
+    <message>
+        <source>The contour tolerance of {} is {:.0f} % of the estimated chord error of the short lines ({}); Heidenhain advises 110 to 200 %.</source>
+        <translation>La tolérance de contour de {} vaut {:.0f} % de l’erreur de corde estimée des lignes courtes ({})&#xa0;; Heidenhain conseille 110 à 200 %.</translation>
+    </message>
+    <message>
+        <source>Line {} asks for a feed of {}; all axes of this machine together reach {}: what is lost against the programmed feed tells little there.</source>
+        <translation>La ligne {} demande une avance de {}&#xa0;; tous les axes de cette machine ensemble atteignent {}&#xa0;: ce qui est perdu par rapport à l’avance programmée n’y dit pas grand-chose.</translation>
+    </message>
+    <message>
+        <source>axis {} of the kinematic chain: {}</source>
+        <translation>axe {} de la chaîne cinématique&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>its direction has no length; give three numbers, such as 0, 0, 1</source>
+        <translation>sa direction est de longueur nulle&#xa0;; donnez trois nombres, comme 0, 0, 1</translation>
+    </message>
+    <message>
+        <source>its travel is empty, from {:g} to {:g}</source>
+        <translation>sa course est vide, de {:g} à {:g}</translation>
+    </message>
+    <message>
+        <source>it carries the part, but follows one that carries the tool; list those that carry the part first</source>
+        <translation>il porte la pièce, mais suit un axe qui porte l’outil&#xa0;; donnez d’abord les axes qui portent la pièce</translation>
+    </message>
+    <message>
+        <source>a kinematic chain needs three linear axes and has {}</source>
+        <translation>une chaîne cinématique a besoin de trois axes linéaires et en a {}</translation>
+    </message>
+    <message>
+        <source>the three linear axes of a kinematic chain lie in one plane</source>
+        <translation>les trois axes linéaires d’une chaîne cinématique sont dans un même plan</translation>
+    </message>
+    <message>
+        <source>a kinematic chain needs one or two rotary axes and has {}</source>
+        <translation>une chaîne cinématique a besoin d’un ou deux axes rotatifs et en a {}</translation>
+    </message>
+    <message>
+        <source>it is parallel to {}: together they turn the tool in one plane only</source>
+        <translation>il est parallèle à {}&#xa0;: ensemble, ils ne tournent l’outil que dans un plan</translation>
+    </message>
+    <message>
+        <source>it lies along the tool, which it does not turn</source>
+        <translation>il est dans l’axe de l’outil, qu’il ne tourne donc pas</translation>
     </message>
 </context>
 <context>
@@ -16859,10 +16776,6 @@ Ensemble&#xa0;: %4</translation>
         <source>On %1</source>
         <comment>a machine</comment>
         <translation>Sur %1</translation>
-    </message>
-    <message>
-        <source>Line %1 asks for a feed of %2; all axes of this machine together reach %3: what is lost against the programmed feed tells little there.</source>
-        <translation>La ligne %1 demande une avance de %2&#xa0;; tous les axes de cette machine ensemble atteignent %3&#xa0;: ce qui est perdu par rapport à l’avance programmée n’y dit pas grand-chose.</translation>
     </message>
     <message>
         <source>: a corner blend can take longer than a narrower one or an exact stop, because it is passed at a limited speed along its whole length</source>

@@ -208,7 +208,7 @@ TEST_F(CheckCommand, ToleranceReplacesTheProgramsOwnAndSaysSo) {
       "feedscope: note: The program is written for LinuxCNC, but Spinner MVC 850 has a Siemens Sinumerik "
       "840D: path and times are those of that control. Use machine linuxcnc-mill, whose control "
       "reads it.\n"
-      "feedscope: note: model 'essid': Compaction requested by the program is not simulated: "
+      "feedscope: note: Compaction requested by the program is not simulated: "
       "short blocks are not joined.\n");
   EXPECT_NEAR(json::parse(own.out)["max_corner_distance_mm"].get<double>(), 0.16, 1e-9);
   const Result replaced = run("simulate control.ngc --machine spinner-mvc850 --tolerance 0.05 --json -");

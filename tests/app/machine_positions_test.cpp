@@ -97,7 +97,7 @@ TEST_F(MachinePositions, AMachineGivesWorkOffsets) {
   EXPECT_EQ(right(" --machine bare.toml"), 10);
   EXPECT_EQ(right(" --machine offsets.toml"), 110);
   EXPECT_EQ(right(" --machine offsets.toml --offset G55=5,0,0"), 15);
-  const std::string note = "read with work offsets other than those of machine";
+  const std::string note = "read with work offsets other than those of the machine";
   const std::string compare = "compare two.nc --dialect fanuc --model cam ";
   EXPECT_THAT(run(compare + "--machine bare.toml --machine offsets.toml").err, HasSubstr(note));
   EXPECT_THAT(run(compare + "--machine offsets.toml").err, Not(HasSubstr(note)));

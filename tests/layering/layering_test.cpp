@@ -131,6 +131,18 @@ TEST(Layering, IncludesRunOneWay) {
   EXPECT_THAT(includes_where(sources_under({"core", "ui", "app"}), upwards), testing::IsEmpty());
 }
 
+/// A model explains its limits itself, by ControlModel::explain().
+TEST(Layering, WhatFollowsTheModelsKnowsNoModel) {
+  const auto of_one_model = [](const SourceFile&, const std::string& name) {
+    return name.starts_with("core/models/") && name != "core/models/control_model.h" &&
+           name != "core/models/explanation/reason.h";
+  };
+  EXPECT_THAT(includes_where(sources_under({"core/analysis", "core/identification", "core/lessons",
+                                            "core/export", "core/handbook"}),
+                             of_one_model),
+              testing::IsEmpty());
+}
+
 TEST(Layering, NothingIncludesTests) {
   const auto test = [](const SourceFile&, const std::string& name) { return name.starts_with("tests/"); };
   EXPECT_THAT(includes_where(sources_under({"core", "ui", "app"}), test), testing::IsEmpty());

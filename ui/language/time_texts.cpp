@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "core/analysis/notes/refused_lines.h"
-#include "core/analysis/notes/run_notes.h"
+#include "core/analysis/notes/remarks.h"
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/in_language.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/significant.h"
 #include "ui/language/texts.h"
-#include "ui/language/unreachable_feed_text.h"
+#include "ui/units/unit_system.h"
 
 namespace feedscope::ui {
 
@@ -56,12 +56,8 @@ QString TimeTexts::conclusion(const TimeReport& report, const Run& run) {
   QString text = tr("<b>%1</b> for %2 programmed: <b>%3</b> (%4 of the cycle time).")
                      .arg(clock_text(use.cycle_time), clock_text(use.programmed_time), change(use.lost()),
                           percent(use.lost(), use.cycle_time));
-  if (const auto percent = feed_override(run.setup)) {
-    text += QLatin1Char(' ') +
-            tr("Programmed means with the feed override of %1 %.").arg(significant_number(*percent, 4));
-  }
-  if (const auto feed = feed_beyond_machine(run.input, *run.input.toolpath, run.setup)) {
-    text += QLatin1Char(' ') + unreachable_feed_text(*feed);
+  for (const Message& remark : texts_about(remarks(run, unit_system()), {Remark::About::programmed})) {
+    text += QLatin1Char(' ') + in_language(remark).toHtmlEscaped();
   }
   if (use.mean_feed > 0) {
     const QString feed = amount_text(use.mean_feed, Dimension::feed);
@@ -76,9 +72,8 @@ QString TimeTexts::conclusion(const TimeReport& report, const Run& run) {
         QLatin1Char(' ') +
         tr("Most is lost here: <b>%1</b> (%2 s).").arg(group(most).toHtmlEscaped(), seconds_text(most.loss));
   }
-  if (const Message lines = line_list(run.input.lines_not_run); !lines.empty()) {
-    text += QLatin1Char(' ') +
-            tr("Lines that the control refuses and that are not in these times: %1.").arg(in_language(lines));
+  if (const Message refused = refused_note(run.input.lines_not_run); !refused.empty()) {
+    text += QLatin1Char(' ') + in_language(refused);
   }
   return text;
 }

@@ -8,8 +8,10 @@
 #include <cmath>
 #include <functional>
 
+#include "core/analysis/notes/not_counted.h"
 #include "core/base/error.h"
 #include "core/toolpath/machine_toolpath.h"
+#include "ui/language/in_language.h"
 #include "ui/language/texts.h"
 #include "ui/report/blocks/report_cards.h"
 #include "ui/report/blocks/report_time.h"
@@ -78,7 +80,7 @@ QRectF paint_caption(QPainter& painter, const ReportInput& input, const QString&
     parts.insert(1, faults);
   }
   const QString text = parts.join(separator);
-  const QString omitted = not_counted_text(not_counted(*run.input.toolpath));
+  const QString omitted = in_language(not_counted_note(not_counted(*run.input.toolpath)));
   const QString whole = omitted.isEmpty() ? text : text + separator + omitted;
 
   QFont font = QApplication::font();

@@ -29,10 +29,8 @@ QString models_block(const ReportInput& input);
 
 /// The fastest run, or the time of a single one; HTML.
 QString times_sentence(const ReportInput& input);
-/// A paragraph for each different set of events that cycle times do not contain; may be empty.
-QString not_counted_sentences(const ReportInput& input);
-/// Texts of run_notes() and undetermined_limits(), each once, with its runs if not all; small paragraphs.
-QString run_notes_text(const ReportInput& input);
+/// The remarks on the runs, each once, with its runs if not all; small paragraphs.
+QString remarks_html(const ReportInput& input);
 /// One or two sentences with the main figures.
 QString summary_block(const ReportInput& input);
 /// Cycle time, feeds and contour error of each run.

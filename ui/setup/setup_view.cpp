@@ -14,10 +14,11 @@
 #include "ui/fields/choice_delegate.h"
 #include "ui/fields/focus_outline.h"
 #include "ui/language/core_texts.h"
-#include "ui/setup/run_notes_text.h"
+#include "ui/language/in_language.h"
 #include "ui/shared/panel_action.h"
 #include "ui/theme/theme.h"
 #include "ui/theme/type_size.h"
+#include "ui/units/unit_system.h"
 #include "ui/workbench/workbench.h"
 
 namespace feedscope::ui {
@@ -72,7 +73,7 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
       drive_model_(new AxisTable(edit, axis_drive_specs(), this)),
       settings_model_(new SettingsTable(edit, this)),
       machine_(new QLabel(this)),
-      run_notes_(new QLabel(this)),
+      remarks_(new QLabel(this)),
       axes_(make_table(axis_model_, tr("Axis limits"), this)),
       drives_(make_table(drive_model_, tr("Drives"), this)),
       settings_(make_table(settings_model_, tr("Control settings"), this)),
@@ -93,11 +94,11 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   // With Fixed, text that needs more lines than hinted would be cut off.
   QSizePolicy as_high_as_its_text(QSizePolicy::Preferred, QSizePolicy::Minimum);
   as_high_as_its_text.setHeightForWidth(true);
-  for (QLabel* label : {machine_, run_notes_}) {
+  for (QLabel* label : {machine_, remarks_}) {
     label->setWordWrap(true);
     label->setSizePolicy(as_high_as_its_text);
   }
-  run_notes_->hide();
+  remarks_->hide();
   for (QToolButton* fold : {unset_, show_drives_}) {
     fold->setCheckable(true);
     fold->setAutoRaise(true);
@@ -138,7 +139,7 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(4);
   layout->addWidget(machine_);
-  layout->addWidget(run_notes_);
+  layout->addWidget(remarks_);
   layout->addWidget(scope_);
   layout->addWidget(make_heading(tr("Axis limits"), this));
   layout->addWidget(axes_);
@@ -241,9 +242,13 @@ QString SetupView::changes() const {
   return changes_of(edit_.state()).join(QStringLiteral("\n"));
 }
 
-void SetupView::show_run_notes(const QStringList& sentences) {
-  run_notes_->setText(sentences.join(QStringLiteral("\n")));
-  run_notes_->setVisible(!sentences.isEmpty());
+void SetupView::show_remarks(const std::vector<Remark>& remarks) {
+  QStringList sentences;
+  for (const Remark& remark : remarks) {
+    sentences.append(in_language(remark.text));
+  }
+  remarks_->setText(sentences.join(QStringLiteral("\n")));
+  remarks_->setVisible(!sentences.isEmpty());
 }
 
 void SetupView::show_changes() {
@@ -373,7 +378,7 @@ void SetupView::refuse(QTableView* table, const QModelIndex& index, const QStrin
 void SetupView::follow(Workbench& workbench) {
   const auto show_run = [this, &workbench] {
     const auto shown = workbench.shown();
-    show_run_notes(shown == nullptr ? QStringList() : run_note_texts(shown->run));
+    show_remarks(shown == nullptr ? std::vector<Remark>() : remarks(shown->run, unit_system()));
   };
   connect(&workbench, &Workbench::run_changed, this, show_run);
   const auto show_scope_of = [this, &runs = workbench.runs()] { show_scope(runs.items().size()); };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/analysis/notes/remarks.h"
 #include "ui/setup/setup_tables.h"
 #include "ui/workbench/panel.h"
 
@@ -33,7 +34,7 @@ class SetupView : public Panel {
   /// Differences from the machine file; empty if there are none.
   QString changes() const;
   /// Parts of the program that the model does not follow; empty: none.
-  void show_run_notes(const QStringList& sentences);
+  void show_remarks(const std::vector<Remark>& remarks);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -59,7 +60,7 @@ class SetupView : public Panel {
   AxisTable* drive_model_;
   SettingsTable* settings_model_;
   QLabel* machine_;
-  QLabel* run_notes_;
+  QLabel* remarks_;
   QTableView* axes_;
   QTableView* drives_;
   QTableView* settings_;

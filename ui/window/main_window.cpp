@@ -16,6 +16,7 @@
 #include <array>
 #include <utility>
 
+#include "core/analysis/notes/not_counted.h"
 #include "core/identification/recordings.h"
 #include "ui/annotations/annotation_overlay.h"
 #include "ui/annotations/annotations_view.h"
@@ -24,6 +25,7 @@
 #include "ui/contour/contour_view.h"
 #include "ui/decide/decide_view.h"
 #include "ui/identification/identification_view.h"
+#include "ui/language/in_language.h"
 #include "ui/language/language.h"
 #include "ui/lessons/lesson_view.h"
 #include "ui/load/load_view.h"
@@ -56,7 +58,6 @@
 #include "ui/window/panels/saved_layout.h"
 #include "ui/window/panels/start_page.h"
 #include "ui/window/panels/status_panel.h"
-#include "ui/workbench/reading_faults.h"
 
 namespace feedscope::ui {
 
@@ -307,7 +308,8 @@ void MainWindow::make_status() {
   statusBar()->addWidget(not_counted);
   connect(&workbench_, &Workbench::run_changed, this, [this, not_counted] {
     const auto shown = workbench_.shown();
-    not_counted->setText(shown == nullptr ? QString() : not_counted_text(shown->run.summary.not_counted));
+    not_counted->setText(shown == nullptr ? QString()
+                                          : in_language(not_counted_note(shown->run.summary.not_counted)));
     not_counted->setToolTip(not_counted->text());
   });
   connect(status, &StatusPanel::diagnostics_clicked, diagnostics_, &Panel::attention_wanted);

@@ -10,7 +10,4 @@ namespace feedscope::ui {
 /// 1 warning". Empty without any; notes do not count.
 QString reading_faults_text(const Program& program);
 
-/// "Not in the cycle time: 2 tool changes, 1 spindle start"; empty if all time is counted.
-QString not_counted_text(const NotCounted& counts);
-
 }  // namespace feedscope::ui

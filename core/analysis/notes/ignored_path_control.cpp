@@ -75,7 +75,7 @@ std::vector<Message> ignored_path_control(const LoadedProgram& program, const Se
   std::vector<Message> sentences = ignored_path_control(*program.toolpath, setup);
   const Guarantees promised = setup.model->guarantees(setup.settings);
   const bool has_ramps = promised.continuity != Continuity::position;
-  const bool limits_jerk = has_ramps && !setup.model->info().limits.jumps_in_corners;
+  const bool limits_jerk = has_ramps && !setup.model->info().jumps_in_corners;
   if (limits_jerk && !promised.lays_curves && is_said(program, "curve-as-arcs")) {
     sentences.emplace_back(curves_as_arcs);
   }

@@ -93,4 +93,9 @@ Message describe(const NotCounted& counts) {
   return enumerated(texts);
 }
 
+Message not_counted_note(const NotCounted& counts) {
+  Message events = describe(counts);
+  return events.empty() ? events : message(NC_("core", "Not in the cycle time: {}"), std::move(events));
+}
+
 }  // namespace feedscope

@@ -21,5 +21,7 @@ struct NotCountedItem {
 std::vector<NotCountedItem> not_counted_items(const NotCounted& counts);
 /// Text such as "2 tool changes, 1 program stop (M0, M1), motion of B, C"; empty if all time is counted.
 Message describe(const NotCounted& counts);
+/// "Not in the cycle time: 2 tool changes"; empty if all time is counted.
+Message not_counted_note(const NotCounted& counts);
 
 }  // namespace feedscope

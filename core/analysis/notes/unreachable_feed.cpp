@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/units.h"
-
 namespace feedscope {
 
 std::optional<LargestFeed> largest_feed_of(const Toolpath& path) {
@@ -28,14 +26,6 @@ std::optional<UnreachableFeed> unreachable_feed(const std::optional<LargestFeed>
   }
   const double reachable = std::sqrt(squares);
   return programmed->feed > reachable ? std::optional(UnreachableFeed{*programmed, reachable}) : std::nullopt;
-}
-
-Message describe(const UnreachableFeed& feed) {
-  return message(NC_("core",
-                     "Line {} asks for a feed of {:.0f} mm/min; all axes of this machine together reach "
-                     "{:.0f} mm/min: what is lost against the programmed feed tells little there."),
-                 feed.programmed.line, units::to_mm_min(feed.programmed.feed),
-                 units::to_mm_min(feed.reachable));
 }
 
 }  // namespace feedscope

@@ -27,7 +27,5 @@ struct UnreachableFeed {
 /// too.
 std::optional<UnreachableFeed> unreachable_feed(const std::optional<LargestFeed>& programmed,
                                                 const Toolpath& path, const Machine& machine);
-/// As one sentence.
-Message describe(const UnreachableFeed& feed);
 
 }  // namespace feedscope

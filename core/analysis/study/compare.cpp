@@ -67,7 +67,7 @@ ComparedRun figures_of(const Run& run) {
           is_refused(run),
           run.input.lines_not_run.size(),
           is_out_of_reach(run),
-          undetermined_limits(run)};
+          remarks(run)};
 }
 
 std::vector<Setup> setups_to_compare(const std::vector<std::string>& machines,

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/notes/undetermined_limits.h"
+#include "core/analysis/notes/remarks.h"
 #include "core/analysis/run/run.h"
 #include "core/analysis/run/tolerance_in_force.h"
 
@@ -23,7 +23,7 @@ struct ComparedRun {
   std::size_t lines_not_run = 0;  ///< refused by the control: the figures are those of the others
   /// is_out_of_reach(): the figures belong to axes that do not move, or leave their travel.
   bool out_of_reach = false;
-  std::vector<UndeterminedLimit> undetermined = {};  ///< undetermined_limits()
+  std::vector<Remark> remarks = {};  ///< on the run, in metric units
 
   /// Whether control and machine run the program, so that its figures are comparable.
   bool is_possible() const { return !refused && !out_of_reach; }

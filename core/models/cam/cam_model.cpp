@@ -2,6 +2,7 @@
 
 #include "core/base/translatable.h"
 #include "core/limits/segment_limits.h"
+#include "core/models/explanation/explainer.h"
 #include "core/trajectory/trajectory_builder.h"
 
 namespace feedscope {
@@ -57,6 +58,10 @@ Trajectory CamModel::do_simulate(const std::shared_ptr<const Toolpath>& shared, 
     steps.at(i);
   }
   return builder.finish();
+}
+
+Explanation CamModel::do_explain(const SimulatedMotion& motion, const State& state) const {
+  return Explainer(motion, false).explain(state);
 }
 
 }  // namespace feedscope

@@ -14,6 +14,7 @@ class CamModel : public ControlModel {
  private:
   Trajectory do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
                          const Settings& settings, Progress* progress) const override;
+  Explanation do_explain(const SimulatedMotion& motion, const State& state) const override;
 };
 
 }  // namespace feedscope

@@ -1,9 +1,11 @@
 #include "core/models/gassara/gassara_model.h"
 
 #include <cmath>
+#include <string_view>
 
 #include "core/base/translatable.h"
 #include "core/blend/corner.h"
+#include "core/models/explanation/explainer.h"
 #include "core/models/shared_settings.h"
 #include "core/trajectory/blend_chains.h"
 #include "core/trajectory/blended_stretch.h"
@@ -88,6 +90,23 @@ LaidArc lay_arc(const CornerPlace& place, CornerRule rule) {
   return {radius, {ElementKind::connecting_arc, corner.transition, radius * corner.turn, {}}};
 }
 
+class GassaraExplainer : public Explainer {
+ public:
+  using Explainer::Explainer;
+
+  std::string_view source_of(FormulaId id) const override {
+    switch (id) {
+      case FormulaId::shared_radial_acceleration:
+      case FormulaId::shared_radial_jerk:
+      case FormulaId::steady_acceleration:
+      case FormulaId::steady_jerk:
+        return "Gassara 2013, in Essid 2019, section 4.3";
+      default:
+        return Explainer::source_of(id);
+    }
+  }
+};
+
 }  // namespace
 
 const ModelInfo& GassaraModel::info() const {
@@ -110,11 +129,7 @@ const ModelInfo& GassaraModel::info() const {
       {NC_(
           "core",
           "On blends the shares of the least acceleration and jerk of the axes are kept: of the acceleration "
-          "R_A across and 1 - R_A along the path, of the jerk R_J across and 1 - R_J along it.")},
-      {.sources = {{FormulaId::shared_radial_acceleration, "Gassara 2013, in Essid 2019, section 4.3"},
-                   {FormulaId::shared_radial_jerk, "Gassara 2013, in Essid 2019, section 4.3"},
-                   {FormulaId::steady_acceleration, "Gassara 2013, in Essid 2019, section 4.3"},
-                   {FormulaId::steady_jerk, "Gassara 2013, in Essid 2019, section 4.3"}}}};
+          "R_A across and 1 - R_A along the path, of the jerk R_J across and 1 - R_J along it.")}};
   return info;
 }
 
@@ -173,6 +188,10 @@ Trajectory GassaraModel::do_lay_path(const std::shared_ptr<const Toolpath>& shar
   lay_blended_path(*shared, axis_velocity, rules, {}, builder, progress,
                    [&](const CornerPlace& place) { return lay_arc(place, own.corner).piece; });
   return builder.finish();
+}
+
+Explanation GassaraModel::do_explain(const SimulatedMotion& motion, const State& state) const {
+  return GassaraExplainer(motion).explain(state);
 }
 
 }  // namespace feedscope

@@ -29,6 +29,7 @@ class GassaraModel : public ControlModel {
                          const Settings& settings, Progress* progress) const override;
   Trajectory do_lay_path(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
                          const Settings& settings, Progress* progress) const override;
+  Explanation do_explain(const SimulatedMotion& motion, const State& state) const override;
 };
 
 }  // namespace feedscope

@@ -1,8 +1,14 @@
 #include "core/models/grbl/grbl_model.h"
 
+#include <cmath>
+#include <optional>
+#include <string_view>
+
 #include "core/base/translatable.h"
 #include "core/base/units.h"
+#include "core/limits/axis_share.h"
 #include "core/models/control_reading.h"
+#include "core/models/explanation/explainer.h"
 #include "core/models/grbl/grbl_reading.h"
 #include "core/models/grbl/grbl_run.h"
 #include "core/models/shared_settings.h"
@@ -69,6 +75,69 @@ std::vector<SettingSpec> own_settings() {
   return specs;
 }
 
+/// Corners by the junction deviation, and a standstill within the blocks of the planner's buffer.
+class GrblExplainer : public Explainer {
+ public:
+  using Explainer::Explainer;
+
+  Formula junction(CauseKind kind, std::uint32_t element) const override {
+    return kind == CauseKind::junction_deviation  ? junction_deviation(element)
+           : kind == CauseKind::lookahead_horizon ? stop_within(element)
+                                                  : Explainer::junction(kind, element);
+  }
+
+  std::string_view source_of(FormulaId id) const override {
+    switch (id) {
+      case FormulaId::junction_deviation:
+        return "grbl 1.1, junction deviation $11";
+      case FormulaId::stop_within_blocks:
+        return "grbl 1.1, planner buffer";
+      case FormulaId::braking_evenly:
+        return "grbl 1.1, constant acceleration";
+      case FormulaId::path_acceleration:
+        return "grbl 1.1, $120 to $122";
+      case FormulaId::axis_velocity:
+        return "grbl 1.1, $110 to $112";
+      default:
+        return Explainer::source_of(id);
+    }
+  }
+
+ private:
+  Formula junction_deviation(std::uint32_t element) const {
+    const std::optional<HalfTurn> half = half_turn(element);
+    if (!half) {
+      return {};
+    }
+    const Vec3 across = (path().curve(element).direction - path().curve(element - 1).direction).normalized();
+    const AxisBound bound = axis_share(axes().acceleration, across);
+    return {FormulaId::junction_deviation,
+            {{Symbol::axis_acceleration, bound.axis, axes().acceleration[bound.axis]},
+             {Symbol::normal_part, bound.axis, std::abs(across[bound.axis])},
+             {Symbol::junction_deviation, -1, setting("junction_deviation_mm")},
+             {Symbol::half_turn_sine, -1, half->sine}}};
+  }
+
+  /// Mean constant acceleration over the blocks from `element` on, weighted by their lengths.
+  Formula stop_within(std::uint32_t element) const {
+    const auto blocks = static_cast<std::uint32_t>(setting("buffer_blocks"));
+    double gained = 0;
+    double length = 0;
+    for (std::uint32_t e = element; e < path().size() && e + 1 - element < blocks; ++e) {
+      if (path().kind(e) == ElementKind::dwell) {
+        break;
+      }
+      gained += path_acceleration(e).value() * path().length(e);
+      length += path().length(e);
+    }
+    if (!(length > 0)) {
+      return {};
+    }
+    return {FormulaId::stop_within_blocks,
+            {{Symbol::path_acceleration, -1, gained / length}, {Symbol::length_ahead, -1, length}}};
+  }
+};
+
 }  // namespace
 
 GrblSettings::GrblSettings(const Machine& machine, const Settings& settings)
@@ -107,13 +176,7 @@ const ModelInfo& GrblModel::info() const {
        NC_("core",
            "Corners between rapids and feed motions follow the rule of all corners; the tool "
            "does not stop there.")},
-      {.jumps_in_corners = true,
-       .stops_within = "buffer_blocks",
-       .sources = {{FormulaId::junction_deviation, "grbl 1.1, junction deviation $11"},
-                   {FormulaId::stop_within_blocks, "grbl 1.1, planner buffer"},
-                   {FormulaId::braking_evenly, "grbl 1.1, constant acceleration"},
-                   {FormulaId::path_acceleration, "grbl 1.1, $120 to $122"},
-                   {FormulaId::axis_velocity, "grbl 1.1, $110 to $112"}}}};
+      true};
   return info;
 }
 
@@ -148,6 +211,10 @@ ControlReading GrblModel::do_read(const std::shared_ptr<const Toolpath>& toolpat
 Trajectory GrblModel::do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
                                   const Settings& settings, Progress* progress) const {
   return GrblRun(toolpath, machine, GrblSettings(machine, settings)).run(progress);
+}
+
+Explanation GrblModel::do_explain(const SimulatedMotion& motion, const State& state) const {
+  return GrblExplainer(motion, false).explain(state);
 }
 
 }  // namespace feedscope

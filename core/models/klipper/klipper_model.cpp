@@ -1,10 +1,15 @@
 #include "core/models/klipper/klipper_model.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string_view>
 
 #include "core/base/translatable.h"
 #include "core/base/units.h"
 #include "core/models/control_reading.h"
+#include "core/models/explanation/explainer.h"
+#include "core/models/klipper/klipper_limits.h"
 #include "core/models/klipper/klipper_reading.h"
 #include "core/models/klipper/klipper_run.h"
 
@@ -124,6 +129,98 @@ double least(const Machine& machine, double AxisLimits::*limit) {
   return value;
 }
 
+/// Limits along the path, with their own for Z, that the program may change from line to line.
+class KlipperExplainer : public Explainer {
+ public:
+  explicit KlipperExplainer(const SimulatedMotion& motion)
+      : Explainer(motion, false),
+        limits_(KlipperSettings(motion.machine, motion.settings), path().programmed()->source.get()) {}
+
+  Formula path_acceleration(std::uint32_t element) const override {
+    const KlipperSettings& own = limits_at(element);
+    const double part = part_of_z(element);
+    if (own.max_z_acceleration < part * own.max_acceleration) {
+      return {FormulaId::path_acceleration,
+              {{Symbol::axis_acceleration, z, own.max_z_acceleration}, {Symbol::tangent_part, z, part}}};
+    }
+    return {FormulaId::level_acceleration, {{Symbol::largest_acceleration, -1, own.max_acceleration}}};
+  }
+
+  Formula junction(CauseKind kind, std::uint32_t element) const override {
+    return kind == CauseKind::square_corner_velocity ? square_corner(element)
+                                                     : Explainer::junction(kind, element);
+  }
+
+  std::string_view source_of(FormulaId id) const override {
+    switch (id) {
+      case FormulaId::square_corner:
+        return "Klipper, square corner velocity";
+      case FormulaId::corner_within_blocks:
+        return "Klipper, corner within half of each block";
+      case FormulaId::braking_evenly:
+        return "Klipper, constant acceleration";
+      case FormulaId::path_velocity:
+        return "Klipper, max_velocity";
+      case FormulaId::level_acceleration:
+        return "Klipper, max_accel";
+      case FormulaId::path_acceleration:
+        return "Klipper, max_z_accel";
+      case FormulaId::axis_velocity:
+        return "Klipper, max_z_velocity";
+      default:
+        return Explainer::source_of(id);
+    }
+  }
+
+ private:
+  static constexpr std::int8_t z = 2;
+
+  const KlipperSettings& limits_at(std::uint32_t element) const {
+    return limits_.at(path().programmed()->segments[path().segment(element)].line);
+  }
+
+  double part_of_z(std::uint32_t element) const { return std::abs(path().curve(element).direction[z]); }
+
+  std::optional<Formula> velocity_of_control(std::uint32_t element) const override {
+    const KlipperSettings& own = limits_at(element);
+    const double part = part_of_z(element);
+    if (own.max_z_velocity < part * own.max_velocity) {
+      return Formula{FormulaId::axis_velocity,
+                     {{Symbol::axis_velocity, z, own.max_z_velocity}, {Symbol::tangent_part, z, part}}};
+    }
+    return Formula{FormulaId::path_velocity, {{Symbol::path_velocity, -1, own.max_velocity}}};
+  }
+
+  Formula square_corner(std::uint32_t element) const {
+    const std::optional<HalfTurn> half = half_turn(element);
+    if (!half || half->sine >= 1) {
+      return {};
+    }
+    const Quantity sine{Symbol::half_turn_sine, -1, half->sine};
+    const Quantity tangent{Symbol::half_turn_tangent, -1, half->sine / half->cosine};
+    Formula least;
+    for (const std::uint32_t e : {element - 1, element}) {
+      const KlipperSettings& own = limits_at(e);
+      const Quantity acceleration{Symbol::path_acceleration, -1, path_acceleration(e).value()};
+      for (const Formula& formula :
+           {Formula{FormulaId::square_corner,
+                    {{Symbol::corner_velocity, -1, own.square_corner_velocity},
+                     sine,
+                     acceleration,
+                     {Symbol::largest_acceleration, -1, own.max_acceleration}}},
+            Formula{FormulaId::corner_within_blocks,
+                    {acceleration, {Symbol::block_length, -1, path().length(e)}, tangent}}}) {
+        if (least.empty() || formula.value() < least.value()) {
+          least = formula;
+        }
+      }
+    }
+    return least;
+  }
+
+  KlipperLimits limits_;
+};
+
 }  // namespace
 
 KlipperSettings::KlipperSettings(const Machine& machine, const Settings& settings)
@@ -172,15 +269,7 @@ const ModelInfo& KlipperModel::info() const {
        NC_("core",
            "Rapids are lines at the feed in force; those of a program that is run as it is "
            "meant run at the maximum velocity.")},
-      {.jumps_in_corners = true,
-       .along_path = true,
-       .sources = {{FormulaId::square_corner, "Klipper, square corner velocity"},
-                   {FormulaId::corner_within_blocks, "Klipper, corner within half of each block"},
-                   {FormulaId::braking_evenly, "Klipper, constant acceleration"},
-                   {FormulaId::path_velocity, "Klipper, max_velocity"},
-                   {FormulaId::level_acceleration, "Klipper, max_accel"},
-                   {FormulaId::path_acceleration, "Klipper, max_z_accel"},
-                   {FormulaId::axis_velocity, "Klipper, max_z_velocity"}}}};
+      true};
   return info;
 }
 
@@ -206,6 +295,10 @@ ControlReading KlipperModel::do_read(const std::shared_ptr<const Toolpath>& tool
 Trajectory KlipperModel::do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
                                      const Settings& settings, Progress* progress) const {
   return KlipperRun(toolpath, machine, KlipperSettings(machine, settings)).run(progress);
+}
+
+Explanation KlipperModel::do_explain(const SimulatedMotion& motion, const State& state) const {
+  return KlipperExplainer(motion).explain(state);
 }
 
 }  // namespace feedscope

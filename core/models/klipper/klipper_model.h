@@ -16,6 +16,7 @@ class KlipperModel : public ControlModel {
                          const Progress* progress) const override;
   Trajectory do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
                          const Settings& settings, Progress* progress) const override;
+  Explanation do_explain(const SimulatedMotion& motion, const State& state) const override;
 };
 
 }  // namespace feedscope

@@ -1,13 +1,19 @@
 #include "core/models/linuxcnc/linuxcnc_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string_view>
+#include <utility>
 
 #include "core/base/translatable.h"
 #include "core/base/units.h"
 #include "core/limits/axis_share.h"
 #include "core/machine/contour_tolerance.h"
+#include "core/models/explanation/explainer.h"
+#include "core/models/explanation/reason_search.h"
 #include "core/models/linuxcnc/linuxcnc_run.h"
+#include "core/models/linuxcnc/linuxcnc_segment.h"
 #include "core/models/linuxcnc/linuxcnc_words.h"
 
 namespace feedscope {
@@ -102,6 +108,103 @@ LinuxCncPathMode path_mode_of(std::string_view code) {
   return code == "G61.1" ? LinuxCncPathMode::exact_stop : LinuxCncPathMode::blend;
 }
 
+/// The formula whose value is closer to `reached`.
+Formula nearer(Formula first, Formula second, double reached) {
+  const bool is_first = std::abs(first.value() - reached) <= std::abs(second.value() - reached);
+  return is_first ? std::move(first) : std::move(second);
+}
+
+/// Speed of LinuxCNC on an arc, of the program or in a corner, at which sqrt(3)/2 of the acceleration is used
+/// across the path, or half of that where blocks may overlap, whichever is closer to `reached` [mm/s]; none
+/// for a line. `acceleration`: of the axes [mm/s2].
+Formula speed_across_arc(const ElementCurve& curve, const Vec3& acceleration, double reached) {
+  if (!curve.is_arc()) {
+    return {};
+  }
+  const Vec3 normal = curve.arc.x.cross(curve.arc.y);
+  const Vec3 in_plane = (Vec3::Ones() - normal.cwiseProduct(normal)).cwiseMax(0).cwiseSqrt();
+  const AxisBound bound = axis_share(acceleration, in_plane);
+  if (bound.axis < 0) {
+    return {};
+  }
+  constexpr double across = linuxcnc_across_share;
+  const auto with_share = [&](double share) {
+    return Formula{FormulaId::shared_radial_acceleration,
+                   {{Symbol::acceleration_share, -1, share},
+                    {Symbol::axis_acceleration, bound.axis, acceleration[bound.axis]},
+                    {Symbol::radius, -1, 1 / curve.arc.curvature()},
+                    {Symbol::normal_part, bound.axis, in_plane[bound.axis]}}};
+  };
+  return nearer(with_share(across), with_share(across / 2), reached);
+}
+
+/// Acceleration of LinuxCNC along a line, all of it or half, whichever is closer to `reached` [mm/s2]; none
+/// for an arc.
+Formula acceleration_of_joints(const ElementCurve& curve, const Vec3& acceleration, double reached) {
+  const AxisBound bound = axis_share(acceleration, curve.direction);
+  if (curve.is_arc() || bound.axis < 0) {
+    return {};
+  }
+  const Quantity limit{Symbol::axis_acceleration, bound.axis, acceleration[bound.axis]};
+  const Quantity part{Symbol::tangent_part, bound.axis, std::abs(curve.direction[bound.axis])};
+  constexpr double half = 0.5;
+  return nearer({FormulaId::path_acceleration, {limit, part}},
+                {FormulaId::shared_acceleration, {{Symbol::acceleration_share, -1, half}, limit, part}},
+                reached);
+}
+
+/// Ramps, arcs and the blends of corners share the acceleration of the axes.
+class LinuxCncExplainer : public Explainer {
+ public:
+  using Explainer::Explainer;
+
+  std::string_view source_of(FormulaId id) const override {
+    switch (id) {
+      case FormulaId::braking_evenly:
+        return "LinuxCNC, constant acceleration";
+      case FormulaId::path_acceleration:
+        return "LinuxCNC, MAX_ACCELERATION";
+      case FormulaId::shared_acceleration:
+        return "LinuxCNC, what a blend leaves of MAX_ACCELERATION";
+      case FormulaId::shared_radial_acceleration:
+        return "LinuxCNC, the part of MAX_ACCELERATION across an arc";
+      case FormulaId::axis_velocity:
+        return "LinuxCNC, MAX_VELOCITY";
+      default:
+        return Explainer::source_of(id);
+    }
+  }
+
+ private:
+  Reason reason(const State& state, Cause cause) const override {
+    const bool of_arc =
+        cause.kind == CauseKind::contour_tolerance || cause.kind == CauseKind::radial_acceleration;
+    return of_arc || is_of_ramp(cause.kind) ? of_joints(state, cause) : Explainer::reason(state, cause);
+  }
+
+  Reason of_joints(const State& state, Cause cause) const {
+    if (path().kind(state.element) == ElementKind::dwell) {
+      return made(cause, {}, 0, state.element);
+    }
+    if (cause.kind == CauseKind::axis_acceleration) {
+      const double reached = std::abs(state.tangential_acceleration);
+      return made(cause, acceleration_of_joints(path().curve(state.element), axes().acceleration, reached),
+                  reached, state.element);
+    }
+    Reason best = made(cause, {}, 0, state.element);
+    look_around(state.element, farthest_of_speed, path().size(), [&](std::uint32_t element) {
+      Formula formula = path().kind(element) == ElementKind::dwell
+                            ? Formula()
+                            : speed_across_arc(path().curve(element), axes().acceleration, state.speed);
+      if (!formula.empty()) {
+        best = made(cause, std::move(formula), state.speed, element);
+      }
+      return best.sets_it();
+    });
+    return best.sets_it() ? best : made(cause, {}, 0, state.element);
+  }
+};
+
 }  // namespace
 
 LinuxCncSettings::LinuxCncSettings(const Machine& machine, const Settings& settings)
@@ -148,14 +251,7 @@ const ModelInfo& LinuxCncModel::info() const {
            "The time runs from the first to the last motion: a dwell before or after all of "
            "it is not counted."),
        NC_("core", "Rapids blend among each other; next to a feed motion they stop.")},
-      {.jumps_in_corners = true,
-       .joints_take_acceleration = true,
-       .sources = {
-           {FormulaId::braking_evenly, "LinuxCNC, constant acceleration"},
-           {FormulaId::path_acceleration, "LinuxCNC, MAX_ACCELERATION"},
-           {FormulaId::shared_acceleration, "LinuxCNC, what a blend leaves of MAX_ACCELERATION"},
-           {FormulaId::shared_radial_acceleration, "LinuxCNC, the part of MAX_ACCELERATION across an arc"},
-           {FormulaId::axis_velocity, "LinuxCNC, MAX_VELOCITY"}}}};
+      true};
   return info;
 }
 
@@ -195,6 +291,10 @@ std::vector<const char*> LinuxCncModel::left_out(const Toolpath& path, const Set
 Trajectory LinuxCncModel::do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
                                       const Settings& settings, Progress* progress) const {
   return LinuxCncRun(toolpath, machine, LinuxCncSettings(machine, settings)).run(progress);
+}
+
+Explanation LinuxCncModel::do_explain(const SimulatedMotion& motion, const State& state) const {
+  return LinuxCncExplainer(motion, false).explain(state);
 }
 
 }  // namespace feedscope

@@ -2,10 +2,38 @@
 
 #include "core/base/translatable.h"
 #include "core/base/units.h"
+#include "core/models/explanation/explainer.h"
 #include "core/models/msaddek/msaddek_stretch.h"
 #include "core/models/shared_settings.h"
 
 namespace feedscope {
+namespace {
+
+class MsaddekExplainer : public Explainer {
+ public:
+  using Explainer::Explainer;
+
+ private:
+  bool shares_corners() const override { return false; }
+  std::string_view source_of(FormulaId id) const override {
+    switch (id) {
+      case FormulaId::radial_acceleration:
+        return "Msaddek 2011, eq 11";
+      case FormulaId::radial_jerk:
+        return "Msaddek 2011, eq 15";
+      case FormulaId::curvilinear_jerk:
+        return "Msaddek 2011, eq 17";
+      case FormulaId::curvature_crossing:
+        return "Msaddek 2011, eq 3";
+      case FormulaId::interpolation_period:
+        return "Msaddek 2011, eq 5 and 7";
+      default:
+        return Explainer::source_of(id);
+    }
+  }
+};
+
+}  // namespace
 
 MsaddekSettings::MsaddekSettings(const Settings& settings)
     : compaction(settings.number("compaction_mm")),
@@ -56,13 +84,7 @@ const ModelInfo& MsaddekModel::info() const {
              "blend may deviate from the chord in addition."),
          NC_("core",
              "law dynamic: where curvature jumps, the acceleration changes within one "
-             "interpolation period by what the axis jerk allows.")},
-        {.ramps_share_corners = false,
-         .sources = {{FormulaId::radial_acceleration, "Msaddek 2011, eq 11"},
-                     {FormulaId::radial_jerk, "Msaddek 2011, eq 15"},
-                     {FormulaId::curvilinear_jerk, "Msaddek 2011, eq 17"},
-                     {FormulaId::curvature_crossing, "Msaddek 2011, eq 3"},
-                     {FormulaId::interpolation_period, "Msaddek 2011, eq 5 and 7"}}}};
+             "interpolation period by what the axis jerk allows.")}};
   }();
   return info;
 }
@@ -113,6 +135,10 @@ Trajectory MsaddekModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
     return [runner](const StretchRange& range, ProgressSteps& steps) { runner->run(range, steps); };
   });
   return builder.finish();
+}
+
+Explanation MsaddekModel::do_explain(const SimulatedMotion& motion, const State& state) const {
+  return MsaddekExplainer(motion, motion.settings.text("law") != "static").explain(state);
 }
 
 }  // namespace feedscope

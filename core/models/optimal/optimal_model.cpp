@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/translatable.h"
+#include "core/models/explanation/explainer.h"
 #include "core/models/optimal/acceleration_law.h"
 #include "core/models/optimal/filtered_path.h"
 #include "core/models/optimal/jerk_law.h"
@@ -24,7 +25,7 @@ constexpr double share_of_tolerance = 1e-3;
 /// Adds the settings of the models whose paths can be used, each key once.
 void add_settings_of_paths(ModelInfo& info, SettingSpec& path) {
   for (const ControlModel* model : all_models()) {
-    if (dynamic_cast<const OptimalModel*>(model) != nullptr || model->info().limits.jumps_in_corners) {
+    if (dynamic_cast<const OptimalModel*>(model) != nullptr || model->info().jumps_in_corners) {
       continue;
     }
     const ModelInfo& inner = model->info();
@@ -87,7 +88,6 @@ ModelInfo make_info() {
           "by their fastest place, along curves and where blocks meet by their velocity and by "
           "what turning takes, not while the tip speeds up; turns between operations take the "
           "time of the machine's jerk.")};
-  info.limits.along_and_across = true;
   return info;
 }
 
@@ -115,6 +115,36 @@ TrajectoryBuilder path_of(const Trajectory& run, const std::shared_ptr<const Too
   builder.set_compaction_error(contour_error);
   return builder;
 }
+
+/// Limits of ramps apply to the sum along and across the path.
+class OptimalExplainer : public Explainer {
+ public:
+  using Explainer::Explainer;
+
+ private:
+  Reason reason(const State& state, Cause cause) const override {
+    return is_of_ramp(cause.kind) ? whole_axis(state, cause) : Explainer::reason(state, cause);
+  }
+
+  Reason whole_axis(const State& state, Cause cause) const {
+    const bool by_jerk = cause.kind == CauseKind::axis_jerk;
+    const bool blend = path().in_corner(state.element);
+    const Vec3& limit = !by_jerk ? axes().acceleration : blend ? axes().blend_jerk : axes().jerk;
+    const Vec3& whole = by_jerk ? state.jerk : state.acceleration;
+    std::int8_t j = cause.axis;
+    for (std::int8_t axis = 0; cause.axis < 0 && axis < 3; ++axis) {
+      j = j < 0 || std::abs(whole[axis]) * limit[j] > std::abs(whole[j]) * limit[axis] ? axis : j;
+    }
+    const Vec3 tangent = state.speed > 0 ? Vec3(state.velocity / state.speed) : Vec3(Vec3::Zero());
+    const double along = tangent[j] * (by_jerk ? state.tangential_jerk : state.tangential_acceleration);
+    const Quantity part_along{by_jerk ? Symbol::jerk_along : Symbol::acceleration_along, j, along};
+    const Quantity part_across{by_jerk ? Symbol::jerk_across : Symbol::acceleration_across, j,
+                               whole[j] - along};
+    return made(cause,
+                {by_jerk ? FormulaId::whole_jerk : FormulaId::whole_acceleration, {part_along, part_across}},
+                limit[j], state.element);
+  }
+};
 
 }  // namespace
 
@@ -195,6 +225,10 @@ Trajectory OptimalModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
     first = last;
   }
   return builder.finish();
+}
+
+Explanation OptimalModel::do_explain(const SimulatedMotion& motion, const State& state) const {
+  return OptimalExplainer(motion, false).explain(state);
 }
 
 }  // namespace feedscope

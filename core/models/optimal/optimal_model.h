@@ -24,6 +24,7 @@ class OptimalModel : public ControlModel {
   bool takes_path_of_another() const override { return true; }
   Trajectory do_simulate(const std::shared_ptr<const Toolpath>& shared, const Machine& machine,
                          const Settings& settings, Progress* progress) const override;
+  Explanation do_explain(const SimulatedMotion& motion, const State& state) const override;
 };
 
 }  // namespace feedscope

@@ -2,10 +2,29 @@
 
 #include "core/base/translatable.h"
 #include "core/base/units.h"
+#include "core/models/explanation/explainer.h"
 #include "core/models/tapie/set_point.h"
 #include "core/trajectory/stretch.h"
 
 namespace feedscope {
+namespace {
+
+/// Limits of an arc where its steady feed is reached.
+class TapieExplainer : public Explainer {
+ public:
+  using Explainer::Explainer;
+
+ private:
+  ArcParts parts_of(const Arc& arc) const override {
+    const SteadyPlace place = steady_place(
+        arc, axes(), units::from_m(setting("curvilinear_jerk_m_s3")) * setting("tangential_share"));
+    const CurvePoint at = arc.at(place.angle * arc.length_per_radian());
+    const double k = arc.curvature();
+    return {ArcExtremes(arc).tangent.cwiseMax(at.d1.cwiseAbs()), at.d3 / (k * k), at.d2 / k};
+  }
+};
+
+}  // namespace
 
 const ModelInfo& TapieModel::info() const {
   static const ModelInfo info{
@@ -24,8 +43,7 @@ const ModelInfo& TapieModel::info() const {
            "On arcs the tangential and the radial acceleration each keep the axis limits at "
            "the place where the steady feed is reached, and so do the two parts of the jerk "
            "along the path, v'' and v^3 k^2; their sum may exceed them, and elsewhere on the "
-           "arc the radial acceleration and v^3 k^2 too, as measured there.")},
-      {.at_steady_place = true}};
+           "arc the radial acceleration and v^3 k^2 too, as measured there.")}};
   return info;
 }
 
@@ -76,6 +94,10 @@ Trajectory TapieModel::do_simulate(const std::shared_ptr<const Toolpath>& shared
     };
   });
   return builder.finish();
+}
+
+Explanation TapieModel::do_explain(const SimulatedMotion& motion, const State& state) const {
+  return TapieExplainer(motion).explain(state);
 }
 
 }  // namespace feedscope

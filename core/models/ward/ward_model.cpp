@@ -4,7 +4,12 @@
 
 #include "core/base/translatable.h"
 #include "core/base/units.h"
+#include "core/blend/junction.h"
+#include "core/blend/path_rules.h"
+#include "core/models/explanation/explainer.h"
+#include "core/models/ward/corner_pulse.h"
 #include "core/models/ward/ward_runner.h"
+#include "core/trajectory/filtered_corner.h"
 #include "core/trajectory/stretch.h"
 
 namespace feedscope {
@@ -36,6 +41,76 @@ std::vector<SettingSpec> with_smoothed_points(std::vector<SettingSpec> own) {
                         QT_TRANSLATE_NOOP("core", "on")};
   return specs;
 }
+
+/// Contour error of an arc, or of the corner of `block` nearest in time.
+Formula filtered_corner(const FilteredMotion& motion, std::size_t block, double time) {
+  const PulseTrain& train = motion.train();
+  const double feed = train.blocks[block].feed;
+  if (train.segment(block).kind == SegmentKind::arc) {
+    const double rate = feed / train.arc(block).length_per_radian();
+    return {FormulaId::arc_error,
+            {{Symbol::radius, -1, train.arc(block).radius},
+             {Symbol::filter_angle, -1, rate * train.filter_time / 2},
+             {Symbol::filters, -1, static_cast<double>(train.filters)}}};
+  }
+  const auto is_corner = [&](std::size_t corner) {
+    return corner > 0 && corner < train.size() && corner_turn(train, corner) > straight_angle;
+  };
+  const auto distance = [&](std::size_t corner) {
+    return std::abs(train.blocks[corner].start + train.half_delay() - time);
+  };
+  const bool later = is_corner(block + 1) && (!is_corner(block) || distance(block + 1) < distance(block));
+  const std::size_t corner = later ? block + 1 : block;
+  if (!is_corner(corner)) {
+    return {};
+  }
+  const double speed = train.blocks[corner].corner_speed;
+  const auto leg = [&](std::size_t side) {
+    const double pulse = train.blocks[side].feed;
+    return pulse * train.filter_time * corner_distance(train.filters, std::min(speed / pulse, 1.0));
+  };
+  return {FormulaId::corner_error,
+          {{Symbol::leg_before, -1, leg(corner - 1)},
+           {Symbol::leg_after, -1, leg(corner)},
+           {Symbol::turn, -1, corner_turn(train, corner)}}};
+}
+
+/// Pulses are limited, and the filters spread them over time; on settled stretches the pulse of the block
+/// counts.
+class WardExplainer : public Explainer {
+ public:
+  using Explainer::Explainer;
+
+ private:
+  Reason reason(const State& state, Cause cause) const override {
+    return path().kind(state.element) == ElementKind::filtered ? of_filters(state, cause)
+                                                               : Explainer::reason(state, cause);
+  }
+
+  Reason of_filters(const State& state, Cause cause) const {
+    const auto reason = [&](Formula formula, double reached) {
+      return this->made(cause, std::move(formula), reached, state.element);
+    };
+    const FilteredMotion& filtered = trajectory().motion_of(state.element);
+    const PulseTrain& train = filtered.train();
+    const std::size_t block = path().base_segment_of(state.element) - train.first;
+    switch (cause.kind) {
+      case CauseKind::velocity_filter:
+      case CauseKind::ramp_down:
+        return reason({FormulaId::filter_delay,
+                       {{Symbol::filters, -1, static_cast<double>(train.filters)},
+                        {Symbol::filter_time, -1, train.filter_time}}},
+                      filtered.delay());
+      case CauseKind::contour_tolerance: {
+        const PathRules rules(*path().programmed(), motion().settings);
+        const double tolerance = rules.tolerance(path().segment(state.element));
+        return reason(filtered_corner(filtered, block, state.time - filtered.start()), tolerance);
+      }
+      default:
+        return reason(speed(cause, state.element), train.blocks[block].feed);
+    }
+  }
+};
 
 }  // namespace
 
@@ -145,6 +220,10 @@ Trajectory WardModel::do_simulate(const std::shared_ptr<const Toolpath>& shared,
       },
       false);
   return builder.finish();
+}
+
+Explanation WardModel::do_explain(const SimulatedMotion& motion, const State& state) const {
+  return WardExplainer(motion).explain(state);
 }
 
 }  // namespace feedscope

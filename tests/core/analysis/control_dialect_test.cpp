@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "core/analysis/notes/run_notes.h"
+#include "core/analysis/notes/remarks.h"
 #include "tests/support/english.h"
 
 namespace feedscope {
@@ -13,7 +13,6 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-using testing::IsEmpty;
 
 /// Where any shipped machine has a control for the dialect, the default is one of them.
 TEST(DefaultMachine, HasAControlForTheDialectWhereAShippedMachineHas) {
@@ -70,14 +69,18 @@ TEST(ControlDialect, AMismatchNamesBothAndWhatToDo) {
   EXPECT_THAT(describe(*fanuc).english(), AllOf(HasSubstr("Fanuc"), HasSubstr("your own machine file")));
 }
 
-TEST(RunNotes, BeginWithTheControlThenWhatIsNotFollowed) {
+TEST(Remarks, BeginWithTheControlThenWhatIsNotFollowed) {
   const LoadedProgram program =
       load_program(std::make_shared<const SourceText>("a.mpf", "G71\nG642 CTOL=0.02\nG1 X10 F1000\nY10\n"));
-  EXPECT_THAT(in_english(run_notes(program, make_setup({"spinner-mvc850", "essid", {}}))), IsEmpty());
-  const auto notes = in_english(run_notes(program, make_setup({"dmg-mori-evo40", "cam", {}})));
-  ASSERT_EQ(notes.size(), 2U);
-  EXPECT_THAT(notes[0], HasSubstr("Heidenhain TNC 640"));
-  EXPECT_THAT(notes[1], HasSubstr("Tolerances"));
+  EXPECT_TRUE(remarks(simulate_run(program, make_setup({"spinner-mvc850", "essid", {}}))).empty());
+  const std::vector<Remark> all = remarks(simulate_run(program, make_setup({"dmg-mori-evo40", "cam", {}})));
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[0].about, Remark::About::validity);
+  EXPECT_THAT(all[0].text.english(), HasSubstr("Heidenhain TNC 640"));
+  EXPECT_EQ(all[1].about, Remark::About::path_control);
+  EXPECT_THAT(all[1].text.english(), HasSubstr("Tolerances"));
+  EXPECT_EQ(all[2].about, Remark::About::values);
+  EXPECT_THAT(all[2].text.english(), HasSubstr("jump"));
 }
 
 }  // namespace

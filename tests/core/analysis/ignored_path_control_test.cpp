@@ -110,7 +110,7 @@ TEST(Unfollowed, CurvesRunAsArcsInModelsWithRamps) {
     const std::string& id = model->info().id;
     EXPECT_THAT(said("G1", id), IsEmpty()) << id;
     const bool curves = model->guarantees(make_setup({"", id, {}}).settings).lays_curves;
-    if (id == "cam" || curves || model->info().limits.jumps_in_corners) {  // on curves, or no jerk is limited
+    if (id == "cam" || curves || model->info().jumps_in_corners) {  // on curves, or no jerk is limited
       EXPECT_THAT(said("CSPLINE", id), IsEmpty());
     } else {
       EXPECT_THAT(said("CSPLINE", id), ElementsAre(HasSubstr("2.4 times"))) << id;

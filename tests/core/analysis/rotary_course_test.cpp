@@ -12,7 +12,7 @@
 #include "core/analysis/envelope/envelope.h"
 #include "core/analysis/explanation/explanation.h"
 #include "core/analysis/explanation/remedies.h"
-#include "core/analysis/notes/run_notes.h"
+#include "core/analysis/notes/remarks.h"
 #include "core/analysis/run/run.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
@@ -230,7 +230,11 @@ TEST(RotaryNotes, SayWhichModelAndWhichMachineLeaveThemOut) {
     const auto source =
         std::make_shared<const SourceText>("test.mpf", "TRAORI\nG1 F6000 X20 C60 A5\nX40 A5\n");
     const LoadedProgram program = load_program(source, nullptr, reading_on(options, setup.machine));
-    return fmt::format("{}", fmt::join(in_english(run_notes(program, setup)), "\n"));
+    std::string all;
+    for (const Remark& remark : remarks(simulate_run(program, setup))) {
+      all += remark.text.english() + '\n';
+    }
+    return all;
   };
   EXPECT_THAT(notes_of("spinner-mvc850", "essid"),
               HasSubstr("turns rotary axes, which this machine does not"));

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "core/analysis/notes/run_notes.h"
+#include "core/analysis/notes/remarks.h"
 #include "core/base/error.h"
 
 namespace feedscope {

@@ -59,7 +59,7 @@ TEST(ToleranceInForce, IsTheProgramsWhateverTheMachineSays) {
       const auto setup = make_setup({"spinner-mvc850", model->info().id, {}});
       const auto found = tolerance_in_force(program.feed_controls, setup);
       const std::string& id = model->info().id;
-      const bool follows = id != "cam" && id != "tapie" && !model->info().limits.jumps_in_corners &&
+      const bool follows = id != "cam" && id != "tapie" && !model->info().jumps_in_corners &&
                            !(id == "optimal" && setup.settings.text("path") == "cam");
       ASSERT_EQ(found.has_value(), follows) << id;
       if (follows) {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/analysis/notes/run_notes.h"
+#include "core/analysis/notes/remarks.h"
 #include "core/analysis/run/run.h"
 #include "core/base/units.h"
 #include "tests/support/english.h"
@@ -12,7 +12,7 @@
 namespace feedscope {
 namespace {
 
-using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 LoadedProgram line_at(const std::string& feed) {
@@ -41,13 +41,16 @@ TEST(UnreachableFeed, IsOneAboveAllAxesTogether) {
   EXPECT_NEAR(units::to_mm_min(beyond->reachable), 30000, 1e-6);
 }
 
-TEST(UnreachableFeed, IsNamedAmongTheNotesOfARun) {
+TEST(UnreachableFeed, IsNamedAmongTheRemarksOnARun) {
   const std::string said =
       "Line 4 asks for a feed of 9991300 mm/min; all axes of this machine together reach 30000 mm/min";
-  EXPECT_THAT(in_english(run_notes(line_at("9991300"), make_setup(on_three_axes()))),
-              Contains(HasSubstr(said)));
-  EXPECT_THAT(in_english(run_notes(line_at("20000"), make_setup(on_three_axes()))),
-              ::testing::Not(Contains(HasSubstr("asks for a feed"))));
+  const auto remarked = [](const std::string& feed, UnitSystem units) {
+    return in_english(texts_about(remarks(simulate_run(line_at(feed), make_setup(on_three_axes())), units),
+                                  {Remark::About::programmed}));
+  };
+  EXPECT_THAT(remarked("9991300", UnitSystem::metric), ElementsAre(HasSubstr(said)));
+  EXPECT_THAT(remarked("9991300", UnitSystem::inch), ElementsAre(HasSubstr("together reach 1181 in/min")));
+  EXPECT_THAT(remarked("20000", UnitSystem::metric), ::testing::IsEmpty());
 }
 
 /// "Programmed" is with the override: half of 40 m/min is reached, twice 20 m/min is not.

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "core/analysis/notes/run_notes.h"
+#include "core/analysis/notes/remarks.h"
 #include "core/analysis/run/run.h"
 #include "core/export/export.h"
 #include "core/machine/import/machine_import.h"
@@ -250,8 +250,8 @@ TEST(LinuxCncLeavesOut, WhatItsRunsName) {
     const struct Setup setup = make_setup({.machine = "five-axis-table-ac", .model = model});
     const LoadedProgram loaded = load_program(std::make_shared<const SourceText>("test.ngc", text));
     std::string all;
-    for (const Message& note : run_notes(loaded, setup)) {
-      all += note.english() + '\n';
+    for (const Remark& remark : remarks(simulate_run(loaded, setup))) {
+      all += remark.text.english() + '\n';
     }
     return all;
   };

@@ -9,8 +9,7 @@
 #include "core/analysis/agreement/trace_on_program.h"
 #include "core/analysis/notes/not_counted.h"
 #include "core/analysis/notes/refused_lines.h"
-#include "core/analysis/notes/unadvised_tolerance.h"
-#include "core/analysis/notes/unreachable_feed.h"
+#include "core/analysis/notes/remarks.h"
 #include "core/analysis/run/control_dialect.h"
 #include "core/analysis/run/run.h"
 #include "core/program/path_control.h"
@@ -136,7 +135,12 @@ TEST_F(InLanguage, SaysInFrenchWhatModelsGuarantee) {
 }
 
 TEST_F(InLanguage, SaysInFrenchThatAFeedIsBeyondTheMachine) {
-  expect_french(describe(UnreachableFeed{{100, 7}, 50}));
+  const LoadedProgram program =
+      load_program(std::make_shared<const SourceText>("line.nc", "G21 G90\nG1 X10 F9991300\n"));
+  const std::vector<Message> said =
+      texts_about(remarks(simulate_run(program, make_setup({}))), {Remark::About::programmed});
+  ASSERT_EQ(said.size(), 1U);
+  expect_french(said[0]);
 }
 
 TEST_F(InLanguage, SaysInFrenchWhatIsNotInTheCycleTime) {

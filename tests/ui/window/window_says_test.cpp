@@ -217,8 +217,10 @@ TEST_F(WindowSaysTest, SettingsWithoutAValueAreShownWhenWanted) {
 TEST_F(WindowSaysTest, SentencesOfTheMachinePanelAreWholeAtAnyWidth) {
   open(test::small_program);
   emit window.part<SetupView>().attention_wanted();
-  window.part<SetupView>().show_run_notes(
-      {QString("The program asks for words ").repeated(9), "And for more."});
+  window.part<SetupView>().show_remarks(
+      {{Remark::About::time,
+        Message::as_written(QString("The program asks for words ").repeated(9).toStdString())},
+       {Remark::About::values, Message::as_written("And for more.")}});
   for (const int width : {240, 300, 371, 500}) {
     window.resizeDocks({window.findChild<QDockWidget*>("machine")}, {width}, Qt::Horizontal);
     QTest::qWait(20);

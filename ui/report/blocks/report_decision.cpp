@@ -9,8 +9,9 @@
 #include <memory>
 #include <set>
 
+#include "core/analysis/notes/not_counted.h"
 #include "core/analysis/notes/refused_lines.h"
-#include "core/analysis/run/control_dialect.h"
+#include "core/analysis/notes/remarks.h"
 #include "core/analysis/study/recommendation.h"
 #include "core/analysis/time/time_report.h"
 #include "ui/decide/decision_chart.h"
@@ -115,11 +116,8 @@ QString run_faults(const ReportInput& input) {
     if (const Diagnostic* first = first_fault(run.input.toolpath->machine_faults)) {
       add(message_text(*first));
     }
-    if (const auto other = control_mismatch(run.setup.machine, run.input.program->dialect)) {
-      add(html_text(in_language(describe(*other))));
-    }
-    if (const Message refused = refused_note(run.input.lines_not_run); !refused.empty()) {
-      add(html_text(in_language(refused)));
+    for (const Message& text : texts_about(remarks(run), {Remark::About::validity})) {
+      add(html_text(in_language(text)));
     }
   }
   QString html;
@@ -445,8 +443,8 @@ QString path_block(const ReportInput& input, ReportPictures& pictures) {
           ? (several ? ReportWords::tr("Executed path of %1, coloured by its feed.").arg(name)
                      : ReportWords::tr("Executed path, coloured by its feed."))
           : (several ? ReportWords::tr("Executed path of %1.").arg(name) : ReportWords::tr("Executed path."));
-  if (const QString events = not_counted_text(run.summary.not_counted); !events.isEmpty()) {
-    caption += ' ' + html_text(events) + '.';
+  if (const Message events = not_counted_note(run.summary.not_counted); !events.empty()) {
+    caption += ' ' + html_text(in_language(events)) + '.';
   }
   return elastic_view(without_other_runs(input), pictures, caption);
 }

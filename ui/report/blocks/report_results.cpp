@@ -2,10 +2,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/analysis/notes/not_counted.h"
 #include "core/analysis/notes/refused_lines.h"
-#include "core/analysis/notes/run_notes.h"
-#include "core/analysis/notes/undetermined_limits.h"
+#include "core/analysis/notes/remarks.h"
 #include "core/base/units.h"
 #include "ui/charts/cause_strip.h"
 #include "ui/language/in_language.h"
@@ -17,6 +15,7 @@
 #include "ui/report/report_tables.h"
 #include "ui/report/report_words.h"
 #include "ui/theme/cause_colours.h"
+#include "ui/units/unit_system.h"
 #include "ui/workbench/reading_faults.h"
 
 namespace feedscope::ui {
@@ -171,42 +170,13 @@ QString causes_table(const ReportInput& input, const std::vector<std::size_t>& c
 
 }  // namespace
 
-QString not_counted_sentences(const ReportInput& input) {
-  std::vector<std::pair<Message, QStringList>> sets;
-  for (std::size_t i = 0; i < input.runs.size(); ++i) {
-    const Message events = describe(summary_of(input.runs[i]).not_counted);
-    auto known = std::ranges::find(sets, events, [](const auto& set) { return set.first; });
-    if (known == sets.end()) {
-      known = sets.insert(sets.end(), {events, {}});
-    }
-    known->second.append(run_letter(i));
-  }
-  QString html;
-  for (const auto& [events, runs] : sets) {
-    if (events.empty()) {
-      continue;
-    }
-    const QString shown = html_text(in_language(events));
-    html += QStringLiteral("<p class=\"small\">%1</p>\n")
-                .arg(sets.size() == 1 ? ReportWords::tr("Not in the cycle time: %1.").arg(shown)
-                                      : ReportWords::tr("Not in the cycle time of %1: %2.")
-                                            .arg(runs.join(QStringLiteral(", ")), shown));
-  }
-  return html;
-}
-
-QString run_notes_text(const ReportInput& input) {
+QString remarks_html(const ReportInput& input) {
   std::vector<std::pair<Message, QStringList>> notes;
   for (std::size_t i = 0; i < input.runs.size(); ++i) {
-    const ReportRun& run = input.runs[i];
-    std::vector<Message> all = run_notes(run.shown->run.input, run.shown->run.setup);
-    for (const UndeterminedLimit& limit : undetermined_limits(run.shown->run)) {
-      all.push_back(describe(limit));
-    }
-    for (const Message& note : all) {
-      auto same = std::ranges::find(notes, note, &std::pair<Message, QStringList>::first);
+    for (const Remark& remark : remarks(input.runs[i].shown->run, unit_system())) {
+      auto same = std::ranges::find(notes, remark.text, &std::pair<Message, QStringList>::first);
       if (same == notes.end()) {
-        same = notes.insert(notes.end(), {note, {}});
+        same = notes.insert(notes.end(), {remark.text, {}});
       }
       same->second.append(run_letter(i));
     }
@@ -276,7 +246,7 @@ QString summary_block(const ReportInput& input) {
     html += paragraph(ReportWords::tr("Most of the time of %1 is limited by: %2.")
                           .arg(html_text(input.run().name), html_text(causes)));
   }
-  return html + not_counted_sentences(input) + run_notes_text(input);
+  return html + remarks_html(input);
 }
 
 QString comparison_block(const ReportInput& input) {

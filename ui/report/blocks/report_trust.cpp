@@ -188,7 +188,7 @@ QString trust_part(const ReportInput& input) {
                                       "that of the drives that are set, temperature, spindle.")
                     : ReportWords::tr("Not modelled: the drives (the axes follow exactly), cutting forces on "
                                       "the axes, vibration, temperature, spindle.")) +
-         run_notes_text(input) + not_counted_sentences(input);
+         remarks_html(input);
 }
 
 }  // namespace

@@ -11,10 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "core/analysis/notes/not_counted.h"
 #include "core/base/error.h"
 #include "ui/charts/charts_panel.h"
 #include "ui/circular/circular_texts.h"
 #include "ui/circular/polar_plot.h"
+#include "ui/language/in_language.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/paper/picture_file.h"
 #include "ui/report/charts_page.h"
@@ -90,7 +92,7 @@ template <class Runs>
 QString not_counted_details(const Runs& runs) {
   std::vector<std::pair<QString, QStringList>> all;
   for (const auto& run : runs) {
-    const QString text = not_counted_text(run.summary.not_counted);
+    const QString text = in_language(not_counted_note(run.summary.not_counted));
     auto known = std::ranges::find(all, text, &std::pair<QString, QStringList>::first);
     if (known == all.end()) {
       known = all.insert(all.end(), {text, {}});

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/analysis/explanation/element_limits.h"
-#include "core/analysis/explanation/explanation.h"
+#include "core/models/explanation/element_limits.h"
 
 namespace feedscope {
 
@@ -9,8 +8,8 @@ namespace feedscope {
 /// linear axes that follow them.
 class TurnReasons {
  public:
-  /// Both outlive this; `limits` is of `run`.
-  TurnReasons(const Run& run, const ElementLimits& limits);
+  /// Both outlive this; `limits` is of `motion`.
+  TurnReasons(const SimulatedMotion& motion, const ElementLimits& limits);
 
   /// The turn along the block or the one after a rounded corner, or the joint at an end of the block, that
   /// allows about this speed; on a ramp, about this acceleration or jerk.

@@ -1,4 +1,4 @@
-#include "core/analysis/explanation/turn_formula.h"
+#include "core/models/explanation/turn_formula.h"
 
 #include <array>
 #include <cmath>

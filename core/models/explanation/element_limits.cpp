@@ -1,20 +1,17 @@
-#include "core/analysis/explanation/element_limits.h"
+#include "core/models/explanation/element_limits.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
 
-#include "core/analysis/explanation/joint_limits.h"
 #include "core/base/units.h"
 #include "core/blend/path_rules.h"
 #include "core/machine/settings.h"
-#include "core/models/tapie/set_point.h"
 
 namespace feedscope {
 namespace {
-
-std::size_t axis_of(Cause cause) {
-  return static_cast<std::size_t>(cause.axis);
-}
 
 /// Smallest limits of ramps over elements [.., last).
 struct LeastRamp {
@@ -24,27 +21,8 @@ struct LeastRamp {
 
 }  // namespace
 
-ElementLimits::ElementLimits(const Run& run)
-    : run_(run),
-      path_(run.trajectory->path()),
-      traits_(run.setup.model->info().limits),
-      axes_(run.setup.machine) {
-  if (traits_.along_path) {
-    along_.emplace(KlipperSettings(run.setup.machine, run.setup.settings), path_.programmed()->source.get());
-  }
-}
-
-const KlipperSettings& ElementLimits::limits_along(std::uint32_t element) const {
-  return along_->at(path_.programmed()->segments[path_.segment(element)].line);
-}
-
-double ElementLimits::setting(std::string_view key) const {
-  return run_.setup.settings.number(key);
-}
-
-std::size_t ElementLimits::block(std::uint32_t element) const {
-  return path_.base_segment_of(element);
-}
+ElementLimits::ElementLimits(const SimulatedMotion& motion)
+    : motion_(motion), path_(motion.trajectory.path()), axes_(motion.machine) {}
 
 double ElementLimits::shortest_block(std::uint32_t element) const {
   const SpeedBound ceiling = path_.kind(element) == ElementKind::curve
@@ -102,10 +80,7 @@ Formula ElementLimits::blend_rest(FormulaId id, Symbol share, Symbol limit, std:
 
 Formula ElementLimits::path_acceleration(std::uint32_t element) const {
   constexpr auto id = FormulaId::path_acceleration;
-  if (traits_.along_path) {
-    return acceleration_along(element);
-  }
-  if (path_.in_corner(element) && traits_.ramps_share_corners) {
+  if (path_.in_corner(element) && shares_corners()) {
     return blend_rest(FormulaId::shared_acceleration, Symbol::acceleration_share, Symbol::axis_acceleration,
                       element);
   }
@@ -117,33 +92,9 @@ Formula ElementLimits::path_acceleration(std::uint32_t element) const {
   return min_share(id, Symbol::axis_acceleration, axes_.acceleration, parts);
 }
 
-/// The control's own limit along the path, or its limit of Z if lower.
-Formula ElementLimits::acceleration_along(std::uint32_t element) const {
-  constexpr std::int8_t z = 2;
-  const KlipperSettings& own = limits_along(element);
-  const double part = std::abs(path_.curve(element).direction[z]);
-  if (own.max_z_acceleration < part * own.max_acceleration) {
-    return {FormulaId::path_acceleration,
-            {{Symbol::axis_acceleration, z, own.max_z_acceleration}, {Symbol::tangent_part, z, part}}};
-  }
-  return {FormulaId::level_acceleration, {{Symbol::largest_acceleration, -1, own.max_acceleration}}};
-}
-
-/// Velocity, likewise.
-Formula ElementLimits::velocity_along(std::uint32_t element) const {
-  constexpr std::int8_t z = 2;
-  const KlipperSettings& own = limits_along(element);
-  const double part = std::abs(path_.curve(element).direction[z]);
-  if (own.max_z_velocity < part * own.max_velocity) {
-    return {FormulaId::axis_velocity,
-            {{Symbol::axis_velocity, z, own.max_z_velocity}, {Symbol::tangent_part, z, part}}};
-  }
-  return {FormulaId::path_velocity, {{Symbol::path_velocity, -1, own.max_velocity}}};
-}
-
 Formula ElementLimits::path_jerk(std::uint32_t element) const {
   Formula steady;
-  if (path_.in_corner(element) && traits_.ramps_share_corners) {
+  if (path_.in_corner(element) && shares_corners()) {
     steady = blend_rest(FormulaId::shared_jerk, Symbol::jerk_share, Symbol::blend_jerk, element);
   } else if (path_.kind(element) == ElementKind::curve) {
     steady = curve_ramp(true, element);
@@ -168,17 +119,9 @@ BlendShape ElementLimits::blend_shape(std::uint32_t element) const {
   return {in.normalized(), (blend.end - blend.corner).normalized(), in.norm(), blend.alpha};
 }
 
-Formula ElementLimits::arc_velocity(Cause cause, const Arc& arc) const {
-  const std::size_t j = axis_of(cause);
-  double part = ArcExtremes(arc).tangent[cause.axis];
-  if (traits_.at_steady_place) {
-    const SteadyPlace place = steady_place(
-        arc, axes_, units::from_m(setting("curvilinear_jerk_m_s3")) * setting("tangential_share"));
-    part = std::max(part, std::abs(arc.at(place.angle * arc.length_per_radian()).d1[cause.axis]));
-  }
-  return {FormulaId::axis_velocity,
-          {{Symbol::axis_velocity, cause.axis, axes_.velocity[static_cast<Eigen::Index>(j)]},
-           {Symbol::tangent_part, cause.axis, part}}};
+ElementLimits::ArcParts ElementLimits::parts_of(const Arc& arc) const {
+  const ArcExtremes extremes(arc);
+  return {extremes.tangent, extremes.tangent, extremes.normal};
 }
 
 Formula ElementLimits::arc_speed(Cause cause, const Arc& arc) const {
@@ -193,33 +136,23 @@ Formula ElementLimits::arc_speed(Cause cause, const Arc& arc) const {
   if (cause.axis < 0) {
     return {};
   }
-  Vec3 tangent;
-  Vec3 normal;
-  if (traits_.at_steady_place) {
-    const SteadyPlace place = steady_place(
-        arc, axes_, units::from_m(setting("curvilinear_jerk_m_s3")) * setting("tangential_share"));
-    const CurvePoint at = arc.at(place.angle * arc.length_per_radian());
-    tangent = at.d3 / (k * k);
-    normal = at.d2 / k;
-  } else {
-    const ArcExtremes extremes(arc);
-    tangent = extremes.tangent;
-    normal = extremes.normal;
-  }
+  const ArcParts parts = parts_of(arc);
   switch (cause.kind) {
     case CauseKind::axis_velocity:
     case CauseKind::rapid:
-      return arc_velocity(cause, arc);
+      return {FormulaId::axis_velocity,
+              {{Symbol::axis_velocity, cause.axis, axes_.velocity[cause.axis]},
+               {Symbol::tangent_part, cause.axis, parts.velocity[cause.axis]}}};
     case CauseKind::radial_acceleration:
       return {FormulaId::radial_acceleration,
               {{Symbol::axis_acceleration, cause.axis, axes_.acceleration[cause.axis]},
                radius,
-               {Symbol::normal_part, cause.axis, std::abs(normal[cause.axis])}}};
+               {Symbol::normal_part, cause.axis, std::abs(parts.normal[cause.axis])}}};
     case CauseKind::radial_jerk:
       return {FormulaId::radial_jerk,
               {{Symbol::axis_jerk, cause.axis, axes_.jerk[cause.axis]},
                radius,
-               {Symbol::tangent_part, cause.axis, std::abs(tangent[cause.axis])}}};
+               {Symbol::tangent_part, cause.axis, std::abs(parts.tangent[cause.axis])}}};
     default:
       return {};
   }
@@ -341,8 +274,8 @@ Formula ElementLimits::speed(Cause cause, std::uint32_t element) const {
   }
   const bool of_velocity = cause.kind == CauseKind::path_velocity || cause.kind == CauseKind::rapid ||
                            cause.kind == CauseKind::axis_velocity;
-  if (traits_.along_path && of_velocity) {
-    return velocity_along(element);
+  if (const auto own = of_velocity ? velocity_of_control(element) : std::nullopt) {
+    return *own;
   }
   const ElementCurve curve = path_.curve(element);
   if (cause.kind == CauseKind::interpolation_period) {
@@ -365,7 +298,9 @@ Formula ElementLimits::speed(Cause cause, std::uint32_t element) const {
   if (!axis_speed || cause.axis < 0 || kind == ElementKind::blend) {
     return {};
   }
-  const double part = std::abs(curve.direction[cause.axis]);
+  // An arc that a control puts into a corner has no one direction.
+  const double part =
+      curve.is_arc() ? parts_of(curve.arc).velocity[cause.axis] : std::abs(curve.direction[cause.axis]);
   if (!(part > 0)) {
     return {};
   }
@@ -427,70 +362,7 @@ Formula ElementLimits::crossing(std::uint32_t element) const {
            {Symbol::curvature_step, bound.axis, std::abs(step[bound.axis])}}};
 }
 
-/// Mean constant acceleration over the blocks from `element` on, weighted by their lengths.
-Formula ElementLimits::stop_within(std::uint32_t element) const {
-  const auto blocks = static_cast<std::uint32_t>(setting(traits_.stops_within));
-  double gained = 0;
-  double length = 0;
-  for (std::uint32_t e = element; e < path_.size() && e + 1 - element < blocks; ++e) {
-    if (path_.kind(e) == ElementKind::dwell) {
-      break;
-    }
-    gained += path_acceleration(e).value() * path_.length(e);
-    length += path_.length(e);
-  }
-  if (!(length > 0)) {
-    return {};
-  }
-  return {FormulaId::stop_within_blocks,
-          {{Symbol::path_acceleration, -1, gained / length}, {Symbol::length_ahead, -1, length}}};
-}
-
-Formula ElementLimits::junction_deviation(std::uint32_t element) const {
-  const std::optional<HalfTurn> half = half_turn(path_, element);
-  if (!half) {
-    return {};
-  }
-  const Vec3 across = (path_.curve(element).direction - path_.curve(element - 1).direction).normalized();
-  const AxisBound bound = axis_share(axes_.acceleration, across);
-  return {FormulaId::junction_deviation,
-          {{Symbol::axis_acceleration, bound.axis, axes_.acceleration[bound.axis]},
-           {Symbol::normal_part, bound.axis, std::abs(across[bound.axis])},
-           {Symbol::junction_deviation, -1, setting("junction_deviation_mm")},
-           {Symbol::half_turn_sine, -1, half->sine}}};
-}
-
-Formula ElementLimits::square_corner(std::uint32_t element) const {
-  const std::optional<HalfTurn> half = half_turn(path_, element);
-  if (!half || half->sine >= 1) {
-    return {};
-  }
-  const Quantity sine{Symbol::half_turn_sine, -1, half->sine};
-  const Quantity tangent{Symbol::half_turn_tangent, -1, half->sine / half->cosine};
-  Formula least;
-  for (const std::uint32_t e : {element - 1, element}) {
-    const KlipperSettings& own = limits_along(e);
-    const Quantity acceleration{Symbol::path_acceleration, -1, path_acceleration(e).value()};
-    for (const Formula& formula :
-         {Formula{FormulaId::square_corner,
-                  {{Symbol::corner_velocity, -1, own.square_corner_velocity},
-                   sine,
-                   acceleration,
-                   {Symbol::largest_acceleration, -1, own.max_acceleration}}},
-          Formula{FormulaId::corner_within_blocks,
-                  {acceleration, {Symbol::block_length, -1, path_.length(e)}, tangent}}}) {
-      if (least.empty() || formula.value() < least.value()) {
-        least = formula;
-      }
-    }
-  }
-  return least;
-}
-
 Formula ElementLimits::horizon(std::uint32_t element) const {
-  if (!traits_.stops_within.empty()) {
-    return stop_within(element);
-  }
   const auto blocks = static_cast<std::size_t>(setting("lookahead_blocks"));
   LeastRamp least;
   double length = 0;
@@ -513,6 +385,106 @@ Formula ElementLimits::horizon(std::uint32_t element) const {
   return by_jerk.value() <= least.acceleration * least.acceleration / least.jerk
              ? by_jerk
              : Formula{FormulaId::horizon_acceleration, {acceleration, jerk, ahead}};
+}
+
+Formula ElementLimits::junction(CauseKind kind, std::uint32_t element) const {
+  return kind == CauseKind::curvature_crossing  ? crossing(element)
+         : kind == CauseKind::lookahead_horizon ? horizon(element)
+                                                : Formula();
+}
+
+std::optional<HalfTurn> ElementLimits::half_turn(std::uint32_t element) const {
+  if (element == 0 || element >= path_.size() || path_.kind(element) == ElementKind::dwell ||
+      path_.kind(element - 1) == ElementKind::dwell) {
+    return std::nullopt;
+  }
+  const double cosine = -path_.curve(element - 1).direction.dot(path_.curve(element).direction);
+  const HalfTurn half{std::sqrt(std::max(0.0, (1 - cosine) / 2)), std::sqrt(std::max(0.0, (1 + cosine) / 2))};
+  return half.cosine > 1e-6 ? std::optional(half) : std::nullopt;
+}
+
+std::string_view ElementLimits::source_of(FormulaId id) const {
+  switch (id) {
+    case FormulaId::none:
+      return {};
+    case FormulaId::programmed_feed:
+      return "program";
+    case FormulaId::axis_velocity:
+      return "Tapie 2007, eq 7";
+    case FormulaId::path_acceleration:
+      return "Essid 2019, eq 24";
+    case FormulaId::path_jerk:
+      return "Tapie 2007, eq 9 and section 5.2.3";
+    case FormulaId::braking_jerk:
+      return "Tapie 2007, eq 16";
+    case FormulaId::braking_acceleration:
+      return "Tapie 2007, eq 16, with the acceleration limit";
+    case FormulaId::acceleration_jump:
+      return "BRISK of the program";
+    case FormulaId::shared_acceleration:
+      return "Essid 2019, eq 14 and 24";
+    case FormulaId::shared_jerk:
+    case FormulaId::jerk_across:
+      return "Essid 2019, eq 15 and 24";
+    case FormulaId::radial_acceleration:
+      return "Tapie 2007, eq 2 and 8";
+    case FormulaId::radial_jerk:
+      return "Tapie 2007, eq 4 and 9";
+    case FormulaId::shared_radial_acceleration:
+    case FormulaId::shared_radial_jerk:
+    case FormulaId::steady_acceleration:
+    case FormulaId::steady_jerk:
+      return "Essid 2019, eq 24 and 26";
+    case FormulaId::curve_acceleration:
+    case FormulaId::curve_jerk:
+    case FormulaId::curve_ramp_acceleration:
+    case FormulaId::curve_ramp_jerk:
+      return "the compressor of Feedscope";
+    case FormulaId::arc_blend_radial_jerk:
+      return "Gassara 2013, in Essid 2019, section 4.3";
+    case FormulaId::curvilinear_jerk:
+      return "Tapie 2007, eq 10 and 11";
+    case FormulaId::curvature_crossing:
+      return "Tapie 2007, eq 13";
+    case FormulaId::interpolation_period:
+      return "Tapie 2007, eq 6";
+    case FormulaId::horizon_jerk:
+    case FormulaId::horizon_acceleration:
+      return "Msaddek 2011, section 2.2.3";
+    case FormulaId::filter_delay:
+      return "Ward 2021, eq 8";
+    case FormulaId::corner_error:
+      return "Ward 2021, eq 25 to 30";
+    case FormulaId::arc_error:
+      return "Ward 2021, eq 1, on a circle";
+    case FormulaId::block_time:
+      return "one block each t_b";
+    case FormulaId::junction_deviation:
+    case FormulaId::square_corner:
+    case FormulaId::corner_within_blocks:
+    case FormulaId::stop_within_blocks:
+    case FormulaId::braking_evenly:
+    case FormulaId::path_velocity:
+    case FormulaId::level_acceleration:
+      return {};  // depends on the model
+    case FormulaId::turning_velocity:
+    case FormulaId::turning_acceleration:
+    case FormulaId::turning_jerk:
+    case FormulaId::turning_jump:
+    case FormulaId::turning_ramp_acceleration:
+    case FormulaId::turning_ramp_jerk:
+    case FormulaId::turning_ramp_bend:
+      return "chain rule over the kinematics of the machine";
+    case FormulaId::whole_acceleration:
+    case FormulaId::whole_jerk:
+      return "Pham and Pham 2018";
+  }
+  return {};
+}
+
+Reason ElementLimits::made(Cause cause, Formula formula, double reached, std::uint32_t element) const {
+  std::string source(source_of(formula.id));
+  return {cause, std::move(formula), reached, motion_.trajectory.line_of(element), std::move(source)};
 }
 
 }  // namespace feedscope

@@ -12,6 +12,9 @@ namespace feedscope {
 /// Number of elements searched on both sides for the one that limits a ramp.
 inline constexpr std::uint32_t farthest_of_ramp = 500;
 
+/// Number of elements searched on both sides for the one that limits a speed.
+inline constexpr std::uint32_t farthest_of_speed = 3;
+
 /// Whether a formula that gives one value explains the other.
 inline bool about_equal(double a, double b) {
   constexpr double rounding = 1e-5;

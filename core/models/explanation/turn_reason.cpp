@@ -1,13 +1,12 @@
-#include "core/analysis/explanation/turn_reason.h"
+#include "core/models/explanation/turn_reason.h"
 
 #include <algorithm>
 #include <cmath>
 #include <span>
 
-#include "core/analysis/explanation/reason_search.h"
-#include "core/analysis/explanation/reason_source.h"
-#include "core/analysis/explanation/turn_formula.h"
 #include "core/limits/segment_limits.h"
+#include "core/models/explanation/reason_search.h"
+#include "core/models/explanation/turn_formula.h"
 
 namespace feedscope {
 namespace {
@@ -49,12 +48,12 @@ TurnRamp shortened(TurnRamp ramp, double by) {
 
 }  // namespace
 
-TurnReasons::TurnReasons(const Run& run, const ElementLimits& limits)
-    : run_(*run.trajectory), machine_(run.setup.machine), settings_(run.setup.settings), limits_(limits) {}
+TurnReasons::TurnReasons(const SimulatedMotion& motion, const ElementLimits& limits)
+    : run_(motion.trajectory), machine_(motion.machine), settings_(motion.settings), limits_(limits) {}
 
 /// Reason without a formula so far.
 Reason TurnReasons::made(Cause cause, const State& state) const {
-  return made_reason(run_, limits_, cause, {}, state.speed, state.element);
+  return limits_.made(cause, {}, state.speed, state.element);
 }
 
 Reason TurnReasons::find(const State& state, Cause cause) const {
@@ -98,7 +97,7 @@ Reason TurnReasons::find(const State& state, Cause cause) const {
     ramp.tilt = ramp.tilt ? ramp.tilt : best.tilt;
     return ramp;
   }
-  best.source = source_of(best.formula.id, limits_.traits());
+  best.source = limits_.source_of(best.formula.id);
   return best;
 }
 
@@ -121,7 +120,7 @@ Reason TurnReasons::on_ramp(const State& state, Cause cause) const {
     if (!best.formula.empty()) {
       best.line = programmed.segments[i].line;
       best.tilt = tilt >= 0 ? std::optional(tilt) : std::nullopt;
-      best.source = source_of(best.formula.id, limits_.traits());
+      best.source = limits_.source_of(best.formula.id);
     }
   };
   const auto fastest_on = [&](std::size_t i, double limit) {
