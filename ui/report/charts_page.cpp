@@ -48,7 +48,7 @@ ChartsPage::ChartsPage() : title_(new QLabel(this)), charts_(new ChartsPanel(cur
 
 void ChartsPage::set_run(const Run& run) {
   title_->setText(title_of(run));
-  charts_->set_limits(run.setup.machine.axes, run.setup.machine.kinematics);
+  charts_->set_limits(run.setup);
   charts_->set_run(run.trajectory, std::make_shared<const Envelope>(run.trajectory, run.sources), false,
                    run.sources);
 }
@@ -56,7 +56,7 @@ void ChartsPage::set_run(const Run& run) {
 void ChartsPage::set_runs(const ReportInput& input, std::size_t row) {
   const ShownRun& shown = *input.runs[row].shown;
   title_->setText(title_of(shown.run));
-  charts_->set_limits(shown.run.setup.machine.axes, shown.run.setup.machine.kinematics);
+  charts_->set_limits(shown.run.setup);
   range_.show_rapids(input.scene.rapids);
   charts_->set_run(shown.run.trajectory, shown.envelope, false, shown.run.sources);
   std::vector<RunOverlay> others;
