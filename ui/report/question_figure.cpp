@@ -38,11 +38,12 @@ Interval times_of(const Measure& watch, const ShownRun& shown) {
   return {from, from + shown.line_times->of(watch.first_line, watch.last_line).time};
 }
 
-/// From the middle of the watched line to that of the next one.
+/// Half of the shorter one of the watched line and the next, on both sides of their corner.
 Interval times_of_corner(const Measure& watch, const ShownRun& shown) {
   const Interval line = times_of(watch, shown);
   const double next = shown.line_times->of(watch.last_line + 1).time;
-  return {(line.lower + line.upper) / 2, line.upper + next / 2};
+  const double half = std::min(line.width(), next) / 2;
+  return {line.upper - half, line.upper + half};
 }
 
 bool watches_the_same(const Measure& one, const Measure& other) {
