@@ -22,6 +22,7 @@ void fit_to_text(QTextBrowser& browser) {
 }
 
 void fit_to_lines(QPlainTextEdit& field) {
+  field.setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   static constexpr int fewest = 3;
   const auto fit = [&field] {
     const int lines = std::max(fewest, static_cast<int>(std::ceil(field.document()->size().height())));
