@@ -57,7 +57,8 @@ TEST_F(HelpCommand, TheHandbookHasTheOptionsThatThereAre) {
   ASSERT_GT(options.size(), 80U);
   for (const char* language : {"en", "fr"}) {
     std::set<std::string> described;
-    for (const HandbookPage& page : Handbook(language).pages()) {
+    const Handbook handbook(language);
+    for (const HandbookPage& page : handbook.pages()) {
       described.merge(options_in(page.markdown, "(?:^|[^-\\w])"));
     }
     EXPECT_EQ(described, options) << language;

@@ -2,6 +2,7 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QPlainTextEdit>
+#include <QScrollBar>
 #include <QTextBrowser>
 #include <QTimer>
 #include <algorithm>
@@ -31,6 +32,8 @@ void fit_to_lines(QPlainTextEdit& field) {
   };
   QObject::connect(field.document()->documentLayout(), &QAbstractTextDocumentLayout::documentSizeChanged,
                    &field, fit);
+  // Narrower or wider, the text has more or fewer lines.
+  QObject::connect(field.verticalScrollBar(), &QScrollBar::rangeChanged, &field, fit);
   QObject::connect(&TypeSize::of_application(), &TypeSize::changed, &field,
                    [&field, fit] { QTimer::singleShot(0, &field, fit); });
   fit();

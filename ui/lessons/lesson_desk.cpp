@@ -173,7 +173,11 @@ QString LessonDesk::prediction() const {
 }
 
 QString LessonDesk::sentence() const {
-  return open_ == nullptr ? QString() : filled(open_->lesson.transfer).trimmed().replace('\n', ' ');
+  return open_ == nullptr ? QString()
+                          : filled(open_->lesson.transfer)
+                                .trimmed()
+                                .replace('\n', ' ')
+                                .replace(QChar::Nbsp, ' ');  // as text fields return it
 }
 
 QString LessonDesk::transfer() const {

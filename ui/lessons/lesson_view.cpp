@@ -277,7 +277,9 @@ int LessonView::height_for_lower() const {
   const QLayout& question = *work_->widget()->layout();
   const int width = work_->viewport()->width();
   // Room for the first value, which then leaves the buttons in place.
-  const int values = tried_->isHidden() ? tried_->sizeHint().height() + 2 * fontMetrics().height() : 0;
+  const int values = tried_->isHidden()
+                         ? tried_->sizeHint().height() + tries_->minimumHeight() + 2 * fontMetrics().height()
+                         : 0;
   return all - work_->viewport()->height() + values +
          (question.hasHeightForWidth() ? question.totalHeightForWidth(width)
                                        : question.totalSizeHint().height());
@@ -326,7 +328,6 @@ QWidget* LessonView::make_lower() {
   tried->setContentsMargins(0, 0, 0, 0);
   tried->setSpacing(2);
   tried->addWidget(tries_);
-  tries_->installEventFilter(this);
   tried->addLayout(copies);
   auto* help = new FlowLayout;
   help->setSpacing(4);
@@ -347,6 +348,7 @@ QWidget* LessonView::make_lower() {
   work_->setFrameShape(QFrame::NoFrame);
   work_->setWidgetResizable(true);
   work_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  work_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // the buttons wrap the same with more values
   work_->setFocusPolicy(Qt::NoFocus);
   work_->setWidget(content);
   auto* lower = new QWidget(this);
@@ -397,13 +399,6 @@ bool LessonView::shows_list() const {
 void LessonView::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   desk_.list();
-}
-
-bool LessonView::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == tries_ && event->type() == QEvent::Resize && tries_->rowCount() < 2) {
-    sharing_.start();  // with the first values; later ones leave the buttons in place
-  }
-  return Panel::eventFilter(watched, event);
 }
 
 void LessonView::resizeEvent(QResizeEvent* event) {

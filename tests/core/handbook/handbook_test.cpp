@@ -105,7 +105,8 @@ TEST_P(HandbookOf, IsPagesThatLinkEachOther) {
 /// Machines on the page of machine files as `id`, models on that of their accuracy as **id**.
 TEST_P(HandbookOf, NamesEveryMachineAndModel) {
   const std::string& machines = handbook.find("machine-files")->markdown;
-  for (const std::string& id : shipped_machines().ids()) {
+  const MachineLibrary shipped = shipped_machines();
+  for (const std::string& id : shipped.ids()) {
     EXPECT_THAT(machines, HasSubstr("`" + id + "`"));
   }
   const std::string& trust = handbook.find("trust")->markdown;

@@ -261,7 +261,7 @@ TEST_F(ChartsOfALoad, AHiddenChartGivesItsRoomToTheOthersAndTheLastOneStays) {
 
 /// The filters of `ward` do not regard them, so that its curves would seem to break them.
 TEST_F(ChartsPanelTest, JerkLimitsAreShownWhereTheModelKeepsThem) {
-  Setup setup = run.setup;
+  auto setup = run.setup;
   const auto shown = [&](std::size_t chart) {
     panel.set_limits(setup);
     QApplication::processEvents();
