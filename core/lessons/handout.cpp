@@ -19,7 +19,7 @@ constexpr const char* style = R"(
 @page { size: A4; margin: 20mm 18mm; }
 body { font-family: "DejaVu Sans", "Noto Sans", Arial, sans-serif; font-size: 14px; line-height: 145%; color: #22262a; max-width: 660px; margin: 0; }
 h1 { font-size: 25px; color: #16324f; line-height: 120%; margin: 0 0 8px; }
-h2 { font-size: 17px; color: #16324f; margin: 26px 0 8px; break-after: avoid; }
+h2 { font-size: 17px; color: #16324f; margin: 22px 0 8px; break-after: avoid; }
 h3 { font-size: 14px; margin: 10px 0 6px; break-after: avoid; }
 p, ul, ol { margin: 0 0 10px; }
 code { font-family: "DejaVu Sans Mono", monospace; font-size: 12px; }
@@ -47,7 +47,7 @@ h1.answers { break-before: page; page-break-before: always; }
 .caption { color: #5a6068; font-size: 12px; margin: 3px 0 10px; }
 img { max-width: 100%; height: auto; }
 .sources { font-size: 12px; line-height: 130%; }
-.footer { margin-top: 30px; border-top: 1px solid #999; font-size: 12px; color: #555; padding-top: 8px; }
+.footer { margin-top: 14px; border-top: 1px solid #999; font-size: 12px; color: #555; padding-top: 8px; }
 )";
 
 std::string escaped(const std::string& text) {

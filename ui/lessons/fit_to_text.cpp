@@ -3,6 +3,7 @@
 #include <QAbstractTextDocumentLayout>
 #include <QPlainTextEdit>
 #include <QScrollBar>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QTimer>
 #include <algorithm>
@@ -24,11 +25,15 @@ void fit_to_text(QTextBrowser& browser) {
 
 void fit_to_lines(QPlainTextEdit& field) {
   field.setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  static constexpr int fewest = 3;
   const auto fit = [&field] {
-    const int lines = std::max(fewest, static_cast<int>(std::ceil(field.document()->size().height())));
+    constexpr int fewest = 3;
+    double height = 0;  // lines with letters of another font are higher
+    for (QTextBlock block = field.document()->begin(); block.isValid(); block = block.next()) {
+      height += field.document()->documentLayout()->blockBoundingRect(block).height();
+    }
     const double margins = 2 * (field.frameWidth() + field.document()->documentMargin());
-    field.setFixedHeight(static_cast<int>(std::ceil(lines * field.fontMetrics().lineSpacing() + margins)));
+    field.setFixedHeight(static_cast<int>(
+        std::ceil(std::max<double>(height, fewest * field.fontMetrics().lineSpacing()) + margins)));
   };
   QObject::connect(field.document()->documentLayout(), &QAbstractTextDocumentLayout::documentSizeChanged,
                    &field, fit);
