@@ -127,7 +127,6 @@ int KinematicChart::column_count() const {
 
 void KinematicChart::set_limits(std::vector<LimitLine> limits) {
   limits_ = std::move(limits);
-  fit();
 }
 
 void KinematicChart::label_abscissa(const QString& title) {

@@ -117,9 +117,9 @@ TEST_F(JerkChart, ShowsALimitThatIsNotFarAway) {
 
 /// Nothing is written into the plot: it could lie over a curve.
 TEST_F(JerkChart, NamesOfLimitsAreNotInThePlot) {
-  show({0, 0}, {-20, 20}, {-1, 1});
   const auto draw = [&](const QString& name) {
     chart().set_limits({{6, name, {}}});
+    show({0, 0}, {-20, 20}, {-1, 1});  // beyond the limit
     QImage image(chart().viewport()->size(), QImage::Format_RGB32);
     QPainter painter(&image);
     chart().draw(painter);
