@@ -19,7 +19,7 @@ constexpr const char* style = R"(
 @page { size: A4; margin: 20mm 18mm; }
 body { font-family: "DejaVu Sans", "Noto Sans", Arial, sans-serif; font-size: 14px; line-height: 145%; color: #22262a; max-width: 660px; margin: 0; }
 h1 { font-size: 25px; color: #16324f; line-height: 120%; margin: 0 0 8px; }
-h2 { font-size: 17px; color: #16324f; margin: 26px 0 8px; break-after: avoid; }
+h2 { font-size: 17px; color: #16324f; margin: 22px 0 8px; break-after: avoid; }
 h3 { font-size: 14px; margin: 10px 0 6px; break-after: avoid; }
 p, ul, ol { margin: 0 0 10px; }
 code { font-family: "DejaVu Sans Mono", monospace; font-size: 12px; }
@@ -46,7 +46,8 @@ h1.answers { break-before: page; page-break-before: always; }
 .figure td { line-height: 100%; }
 .caption { color: #5a6068; font-size: 12px; margin: 3px 0 10px; }
 img { max-width: 100%; height: auto; }
-.footer { margin-top: 30px; border-top: 1px solid #999; font-size: 12px; color: #555; padding-top: 8px; }
+.sources { font-size: 12px; line-height: 130%; }
+.footer { margin-top: 14px; border-top: 1px solid #999; font-size: 12px; color: #555; padding-top: 8px; }
 )";
 
 std::string escaped(const std::string& text) {
@@ -67,15 +68,6 @@ std::string escaped(const std::string& text) {
     }
   }
   return result;
-}
-
-/// Joins numbers with their units, and fractions and equations, by no-break spaces.
-std::string kept_together(const std::string& text) {
-  static const std::regex before_unit(R"((\d) (?=m/|1/|(?:m|mm|µm|ms|min|s|g|N|%)(?!\w)))");
-  static const std::regex fraction(" / ");
-  static const std::regex before_sign(" (?==|≤|≥)");
-  const std::string units = std::regex_replace(text, before_unit, "$1\u00a0");
-  return std::regex_replace(std::regex_replace(units, fraction, "\u00a0/\u00a0"), before_sign, "\u00a0");
 }
 
 /// HTML of a text of the lesson.
@@ -160,10 +152,13 @@ std::string transfer_html(const Lesson& lesson, const HandoutContents& contents)
   static const std::regex gap("…");
   const std::string heading = fmt::format("<h2>{}</h2>\n", lesson_word("On my control", lesson.language));
   const std::string text = text_html(lesson.transfer, contents.numbers);
-  return contents.reader == HandoutReader::teacher
-             ? heading + text
-             : unbroken(heading + "<div class=\"transfer\">" + std::regex_replace(text, gap, "__________") +
-                        "</div>\n");
+  if (contents.reader == HandoutReader::teacher) {
+    return heading + text;
+  }
+  const std::string& own = contents.work.transfer;
+  return unbroken(heading + (own.empty() ? "<div class=\"transfer\">" +
+                                               std::regex_replace(text, gap, "__________") + "</div>\n"
+                                         : written_or_lines(own, 0)));
 }
 
 std::string task_html(const Question& question, std::size_t number, const HandoutContents& contents,
@@ -296,7 +291,8 @@ std::string answer_html(const Lesson& lesson, std::size_t index, const HandoutCo
 
 /// Sources of a lesson and of its numbers.
 std::string sources_html(const Lesson& lesson) {
-  std::string html = fmt::format("<h2>{}</h2>\n<ul>\n", lesson_word("Sources", lesson.language));
+  std::string html =
+      fmt::format("<h2>{}</h2>\n<ul class=\"sources\">\n", lesson_word("Sources", lesson.language));
   for (const std::string& source : lesson.sources) {
     html += fmt::format("<li>{}</li>\n", escaped(source));
   }

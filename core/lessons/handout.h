@@ -37,6 +37,7 @@ struct LearnersWork {
   };
   std::string prediction;       ///< may be empty
   std::vector<Answer> answers;  ///< per question; may be shorter
+  std::string transfer;         ///< the completed sentence; may be empty
 };
 
 /// Contents of a lesson on paper in addition to its texts.

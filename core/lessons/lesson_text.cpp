@@ -152,6 +152,16 @@ std::string filled(const std::string& text, const WrittenNumbers& numbers) {
   return result;
 }
 
+std::string kept_together(const std::string& text) {
+  static const std::regex before_unit(R"((\d) (?=m/|1/|(?:m|mm|µm|ms|min|s|g|N|%)(?!\w)))");
+  static const std::regex fraction(" / ");
+  static const std::regex before_sign(" (?==|≤|≥)");
+  static const std::regex minus(" − ");
+  const std::string units =
+      std::regex_replace(std::regex_replace(text, before_unit, "$1\u00a0"), minus, "\u00a0−\u00a0");
+  return std::regex_replace(std::regex_replace(units, fraction, "\u00a0/\u00a0"), before_sign, "\u00a0");
+}
+
 void check_numbers(const std::string& text, const Lesson& lesson) {
   WrittenNumbers names;
   for (const auto& [name, quantity] : lesson.numbers) {

@@ -15,6 +15,8 @@ using WrittenNumbers = std::map<std::string, std::string>;
 /// Replaces every {name} in `text`; {{ is a brace. Throws InputError with the nearest valid name for one
 /// missing in `numbers`, and for an unclosed brace.
 std::string filled(const std::string& text, const WrittenNumbers& numbers);
+/// `text` with no-break spaces between numbers and their units, and in fractions and equations.
+std::string kept_together(const std::string& text);
 /// Throws as filled() does for the numbers of `lesson`, measured or not.
 void check_numbers(const std::string& text, const Lesson& lesson);
 

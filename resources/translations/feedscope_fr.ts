@@ -12641,10 +12641,6 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>Montrer ou cacher la réponse à la question</translation>
     </message>
     <message>
-        <source>Loading lessons …</source>
-        <translation>Chargement des leçons …</translation>
-    </message>
-    <message>
         <source>Set %1 to this value in the current run</source>
         <translation>Donner cette valeur à %1 dans la simulation courante</translation>
     </message>
@@ -12771,6 +12767,10 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>Your prediction:</source>
         <translation>Votre prédiction :</translation>
+    </message>
+    <message>
+        <source>Complete the sentence; kept with the session and printed on the hand-out</source>
+        <translation>Complétez la phrase ; elle est gardée avec la session et imprimée sur le polycopié</translation>
     </message>
 </context>
 <context>
@@ -16784,6 +16784,11 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>A tolerance of %1 takes %2 s longer than %3, mostly due to %4 (%5 s more)%6.</source>
         <translation>Une tolérance de %1 demande %2 s de plus que %3, surtout par %4 (%5 s de plus)%6.</translation>
+    </message>
+    <message>
+        <source>%1 %2 %3</source>
+        <comment>limits of axes and their value: X Y Jerk 15 m/s³</comment>
+        <translation>%1 = %2 %3</translation>
     </message>
 </context>
 </TS>

@@ -134,10 +134,11 @@ TEST_F(LessonsCommand, AHandOutIsForItsReader) {
   EXPECT_EQ(run("lessons 2 --for teacher --out key.html").code, 0);
   write("work.feedscope",
         "{\"format\": \"feedscope-session\", \"version\": 1, \"predictions\": {\"02_data_sheet\": \"A "
-        "guess.\"}, "
+        "guess.\"}, \"transfers\": {\"02_data_sheet\": \"My machine has 0.4 g.\"}, "
         "\"lessons\": []}");
   EXPECT_EQ(run("lessons 2 --for learners --session work.feedscope --out mine.html").code, 0);
-  EXPECT_THAT(contents(folder_ / "mine.html"), HasSubstr("A guess."));
+  EXPECT_THAT(contents(folder_ / "mine.html"),
+              AllOf(HasSubstr("A guess."), HasSubstr("My machine has 0.4 g."), Not(HasSubstr("________"))));
   expect_wrong_use("lessons 2 --for teacher --session work.feedscope --out x.html", "--for learners");
   expect_wrong_use("lessons 2 --session none.feedscope --out x.html", "none.feedscope");
   EXPECT_THAT(contents(folder_ / "key.html"), AllOf(HasSubstr("Answer"), HasSubstr("Computed")));

@@ -44,7 +44,7 @@ void pan_frame(State& state) {
   panel.setAttribute(Qt::WA_DontShowOnScreen);
   panel.resize(static_cast<int>(state.range(1)), static_cast<int>(state.range(2)));
   panel.show();
-  panel.set_limits(shown.run.setup.machine.axes);
+  panel.set_limits(shown.run.setup);
   cursor.set_trajectory(shown.run.trajectory);
   panel.set_run(shown.run.trajectory, shown.envelope, false);
   panel.range().set_abscissa(state.range(3) == 0 ? ui::Abscissa::time : ui::Abscissa::path_length);

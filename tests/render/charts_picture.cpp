@@ -51,7 +51,7 @@ ui::Picture draw_dark_charts(const Run& run, ui::PictureSize size) {
   panel.resize(size.width, size.height);
   panel.show();
   cursor.set_trajectory(run.trajectory);
-  panel.set_limits(run.setup.machine.axes);
+  panel.set_limits(run.setup);
   panel.set_run(run.trajectory, std::make_shared<const Envelope>(run.trajectory), false);
   panel.set_overlays({{promised.trajectory,
                        std::make_shared<const Envelope>(promised.trajectory),

@@ -233,7 +233,7 @@ void CauseStrip::draw_legend(QPainter& painter) const {
     painter.drawRect(box.adjusted(0, 0, -1, -1));
     painter.setPen(shown ? text : faint);
     painter.drawText(share.place.adjusted(swatch_side() + swatch_gap(), 0, 4, 0),
-                     Qt::AlignLeft | Qt::AlignVCenter, share.text);
+                     Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, share.text);
     end = share.place.right() + item_gap();
   }
   if (listed_ < shares_.size()) {

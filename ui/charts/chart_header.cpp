@@ -207,7 +207,7 @@ QString ChartHeader::tip_at(const QPoint& place) const {
     lines.append(run.value ? QStringLiteral("%1: %2").arg(run.name, number(*run.value)) : run.name);
   }
   for (const LimitLine& limit : limits_) {
-    lines.append(limit.label);
+    lines.append(QStringLiteral("%1: %2").arg(limit.label, number(limit.value)));
   }
   return (lines + notes_).join(QLatin1Char('\n'));
 }
@@ -282,16 +282,21 @@ void ChartHeader::draw_item(QPainter& painter, const Item& item) const {
     text = shown_[item.index] ? curve_colour(spec_.curves[item.index].role, colours)
                               : palette().color(QPalette::Disabled, QPalette::WindowText);
   } else if (item.kind != Kind::note) {
-    const bool limit = item.kind == Kind::limit;
-    const bool dashed = limit || runs_[item.index].dashed;
-    painter.setPen(QPen(limit ? colour_of(limits_[item.index], colours) : runs_[item.index].color,
-                        line_pixels(limit ? 1 : 2, *this), dashed ? Qt::DashLine : Qt::SolidLine,
-                        Qt::FlatCap));
-    painter.drawLine(place.left(), place.center().y(), place.left() + swatch_width(), place.center().y());
+    const QPointF from(place.left(), place.center().y());
+    const QPointF to = from + QPointF(swatch_width(), 0);
+    if (item.kind == Kind::limit) {
+      draw_limit_line(painter, from, to, limits_[item.index], colours, line_pixels(1, *this));
+    } else {
+      const LegendEntry& run = runs_[item.index];
+      painter.setPen(
+          QPen(run.color, line_pixels(2, *this), run.dashed ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap));
+      painter.drawLine(from, to);
+    }
     place.setLeft(place.left() + swatch_width() + inset());
   }
   painter.setPen(text);
-  painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, text_of(item.kind, item.index));
+  painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
+                   text_of(item.kind, item.index));
 }
 
 }  // namespace feedscope::ui

@@ -134,11 +134,12 @@ void ChartRows::draw(QPainter& painter, const QWidget& content) const {
   draw_part(painter, content, *lost, [&] { lost->draw(painter); });
 }
 
-void ChartRows::set_limits(const AxisVector<AxisLimits>& limits) const {
+void ChartRows::set_limits(const AxisVector<AxisLimits>& limits, bool of_jerk) const {
   const std::array<double AxisLimits::*, 3> kinds{&AxisLimits::velocity, &AxisLimits::acceleration,
                                                   &AxisLimits::jerk};
   for (std::size_t k = 0; k < kinds.size(); ++k) {
-    charts[k]->set_limits(limit_lines(charts[k]->spec(), limits, kinds[k]));
+    charts[k]->set_limits(k == jerk_chart && !of_jerk ? std::vector<LimitLine>()
+                                                      : limit_lines(charts[k]->spec(), limits, kinds[k]));
   }
 }
 

@@ -53,7 +53,7 @@ struct ChartRows {
   /// Draws headers and charts at their places in `content`.
   void draw(QPainter& painter, const QWidget& content) const;
   /// Limits of velocity, acceleration and jerk.
-  void set_limits(const AxisVector<AxisLimits>& limits) const;
+  void set_limits(const AxisVector<AxisLimits>& limits, bool of_jerk) const;
   /// Limits of velocity, acceleration and jerk of rotary axes.
   void set_rotary_limits(const MachineKinematics& kinematics) const;
   /// Lists the curves that a run has.

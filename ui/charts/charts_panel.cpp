@@ -21,6 +21,13 @@ namespace feedscope::ui {
 
 namespace {
 constexpr auto rest_after = std::chrono::milliseconds(500);
+/// Whether the model applies the jerk limits of the axes anywhere on the path.
+bool keeps_axis_jerk(const Setup& setup) {
+  const Guarantees promised = setup.model->guarantees(setup.settings);
+  const auto keeps = [](const KeptLimits& limits) { return limits.jerk.of != KeptLimit::Of::nothing; };
+  return promised.limits_jerk && (keeps(promised.lines) || keeps(promised.arcs) || keeps(promised.blends));
+}
+
 }  // namespace
 
 ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
@@ -208,7 +215,7 @@ void ChartsPanel::follow(Workbench& workbench) {
 void ChartsPanel::show_run_of(Workbench& workbench) {
   const auto shown = workbench.drawn();
   const SetupEdit& setup = workbench.setup();
-  set_limits(setup.setup().machine.axes, setup.setup().machine.kinematics);
+  set_limits(setup.setup());
   const bool is_shown = shown != nullptr && shown->run.trajectory == trajectory_ &&
                         shown->envelope.get() == columns_.envelope();
   if (!is_shown) {
@@ -260,9 +267,9 @@ void ChartsPanel::set_overlay_curve(std::size_t chart, std::optional<std::size_t
   refresh_.start();
 }
 
-void ChartsPanel::set_limits(const AxisVector<AxisLimits>& limits, const MachineKinematics& kinematics) {
-  rows_.set_limits(limits);
-  rows_.set_rotary_limits(kinematics);
+void ChartsPanel::set_limits(const Setup& setup) {
+  rows_.set_limits(setup.machine.axes, keeps_axis_jerk(setup));
+  rows_.set_rotary_limits(setup.machine.kinematics);
   refresh_.start();
 }
 

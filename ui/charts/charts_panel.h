@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/analysis/run/run.h"
 #include "core/analysis/run/run_sources.h"
-#include "core/machine/machine.h"
 #include "ui/charts/cause_strip.h"
 #include "ui/charts/chart_columns.h"
 #include "ui/charts/chart_commands.h"
@@ -54,7 +54,8 @@ class ChartsPanel : public Panel {
   /// Index in the chart's spec of the curve that is shown for other runs; none: no curve. Initially the
   /// achieved feed only.
   void set_overlay_curve(std::size_t chart, std::optional<std::size_t> curve);
-  void set_limits(const AxisVector<AxisLimits>& limits, const MachineKinematics& kinematics = {});
+  /// Limits of the machine, those of jerk where the model keeps them.
+  void set_limits(const Setup& setup);
   /// Step of exported samples [s].
   void set_sample_time(double seconds) { sample_time_ = seconds; }
   double sample_time() const { return sample_time_; }

@@ -227,8 +227,9 @@ void KinematicChart::fit() {
   for (const OverlayCurve& overlay : overlays_) {
     curves.push_back(reach_of(overlay.columns, false));
   }
+  shown_limits_ = limits_of_moving(limits_, [this](const LimitLine& limit) { return moves(limit); });
   std::vector<double> limits;
-  for (const LimitLine& limit : shown_limits()) {
+  for (const LimitLine& limit : shown_limits_) {
     limits.push_back(limit.value);
   }
   values_ = fit_values(curves, limits);
@@ -341,7 +342,7 @@ void KinematicChart::draw_picture(QPainter& painter) {
   const ThemeColours& colours = theme_colours(palette());
   draw_mean_lines(painter, mean_lines(), curve_colour(CurveRole::path, colours), colours.plot,
                   line_pixels(1, *this));
-  draw_limit_lines(painter, chart()->plotArea(), shown_limits(), colours, line_pixels(1, *this),
+  draw_limit_lines(painter, chart()->plotArea(), shown_limits_, colours, line_pixels(1, *this),
                    [this](double value) { return height_of(value); });
   painter.restore();
   draw_ordinate(painter);
@@ -511,22 +512,22 @@ QStringList KinematicChart::notes() const {
   return notes;
 }
 
-const std::vector<LimitLine>& KinematicChart::shown_limits() const {
-  static const std::vector<LimitLine> none;
-  bool has_axes = false;
-  for (std::size_t k = 0; k < spec_.curves.size(); ++k) {
-    const bool of_axis = info_of(spec_.curves[k].quantity).axis >= 0;
-    if (of_axis && shown_[k]) {
-      return limits_;
+bool KinematicChart::moves(const LimitLine& limit) const {
+  constexpr double rounding = 1e-6;
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    const Extent values = reach_of(columns_[k], false).values;
+    const auto axis = static_cast<int>(limit.axes.front());
+    if (shown_[k] && info_of(spec_.curves[k].quantity).axis == axis && !values.empty() &&
+        std::max(double{values.max}, -double{values.min}) > rounding * limit.value) {
+      return true;
     }
-    has_axes = has_axes || of_axis;
   }
-  return has_axes ? none : limits_;
+  return false;
 }
 
 std::vector<LimitLine> KinematicChart::limits_in_sight() const {
   std::vector<LimitLine> seen;
-  std::ranges::copy_if(shown_limits(), std::back_inserter(seen), [this](const LimitLine& limit) {
+  std::ranges::copy_if(shown_limits_, std::back_inserter(seen), [this](const LimitLine& limit) {
     return limit.value > values_.lower && limit.value < values_.upper;
   });
   return seen;

@@ -117,8 +117,8 @@ class KinematicChart : public QChartView {
   /// Values that rapids must not dwarf; none without cutting.
   std::optional<CuttingFeed> cutting_values() const;
   CurveReach reach_of(const std::vector<Extent>& columns, bool may_be_cut) const;
-  /// Omits limits of axes without a shown curve.
-  const std::vector<LimitLine>& shown_limits() const;
+  /// Whether a shown curve of the limit's axis is anything but zero.
+  bool moves(const LimitLine& limit) const;
   void draw_picture(QPainter& painter);
   void draw_ordinate(QPainter& painter) const;
   void draw_abscissa(QPainter& painter) const;
@@ -139,6 +139,7 @@ class KinematicChart : public QChartView {
   std::vector<float> means_;                  ///< of the first curve, internal units
   std::vector<OverlayCurve> overlays_;
   std::vector<LimitLine> limits_;
+  std::vector<LimitLine> shown_limits_;  ///< of axes that move here
   std::optional<CuttingFeed> cutting_feed_;
   std::vector<MotionBand> cutting_;
   Interval values_{0, 1};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QColor>
+#include <QPointF>
 #include <QRectF>
 #include <QString>
 #include <functional>
@@ -20,10 +20,10 @@ namespace feedscope::ui {
 struct LimitLine {
   double value = 0;  ///< in the chart's unit
   QString label;
-  std::optional<std::size_t> axis;  ///< index in cause_axes; none: shared by several, or not of an axis
+  std::vector<std::size_t> axes;  ///< indices in cause_axes; none: of all axes, or not of an axis
 };
 
-/// Limits of the axes for the quantity `kind`; axes with an equal limit share one line.
+/// Limits of the axes for the quantity `kind`, without labels, each axis by itself.
 std::vector<LimitLine> limit_lines(const ChartSpec& spec, const AxisVector<AxisLimits>& limits,
                                    double AxisLimits::*kind);
 
@@ -34,7 +34,13 @@ std::vector<LimitLine> rotary_limit_lines(const ChartSpec& spec, const MachineKi
 /// Bounds of the operations in a chart of their quantities, each value once.
 std::vector<LimitLine> bound_lines(const ChartSpec& spec, const RunLoad& load);
 
-QColor colour_of(const LimitLine& limit, const ThemeColours& colours);
+/// The limits of those axes that `moves`, labelled; equal ones are one line. Other bounds stay as they are.
+std::vector<LimitLine> limits_of_moving(const std::vector<LimitLine>& limits,
+                                        const std::function<bool(const LimitLine&)>& moves);
+
+/// Draws a line in the colours of its axes. `width`: [px].
+void draw_limit_line(QPainter& painter, const QPointF& from, const QPointF& to, const LimitLine& limit,
+                     const ThemeColours& colours, double width);
 /// Draws lines without names. `width`: of a line, `height_of`: position of a value [px].
 void draw_limit_lines(QPainter& painter, const QRectF& plot, const std::vector<LimitLine>& limits,
                       const ThemeColours& colours, double width,

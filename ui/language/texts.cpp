@@ -48,6 +48,20 @@ QString setting_title(const std::string& key) {
                  : title;
 }
 
+QString setting_unit(const std::string& key) {
+  if (key == "program" || key == "machine" || key == "model") {
+    return {};
+  }
+  const std::string unit = sweep_unit(key);
+  const KeyUnit shown = key_unit(unit);
+  return shown.factor == 1 ? shown.text : QString::fromStdString(unit);
+}
+
+QString setting_title_with_unit(const std::string& key) {
+  const QString unit = setting_unit(key);
+  return unit.isEmpty() ? setting_title(key) : QStringLiteral("%1 [%2]").arg(setting_title(key), unit);
+}
+
 QString slower_tolerance_text(const SlowerTolerance& slower) {
   const QLocale locale;
   const auto seconds = [&](double value) { return locale.toString(value, 'f', 3); };

@@ -16,6 +16,10 @@ QString share_text(double share);
 /// Title of a swept quantity in the user's language: "X Jerk" for "X.jerk", "Contour tolerance" for
 /// "tolerance"; the key itself if unknown.
 QString setting_title(const std::string& key);
+/// The same with the unit in which values of the key are written: "X Jerk [m/s³]".
+QString setting_title_with_unit(const std::string& key);
+/// That unit: "m/s³"; "" for a quantity without one.
+QString setting_unit(const std::string& key);
 
 /// States that a wider contour tolerance takes longer than a narrower one, and why.
 QString slower_tolerance_text(const SlowerTolerance& slower);

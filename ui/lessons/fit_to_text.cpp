@@ -2,6 +2,8 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QPlainTextEdit>
+#include <QScrollBar>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QTimer>
 #include <algorithm>
@@ -22,14 +24,21 @@ void fit_to_text(QTextBrowser& browser) {
 }
 
 void fit_to_lines(QPlainTextEdit& field) {
-  static constexpr int fewest = 3;
+  field.setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   const auto fit = [&field] {
-    const int lines = std::max(fewest, static_cast<int>(std::ceil(field.document()->size().height())));
+    constexpr int fewest = 3;
+    double height = 0;  // lines with letters of another font are higher
+    for (QTextBlock block = field.document()->begin(); block.isValid(); block = block.next()) {
+      height += field.document()->documentLayout()->blockBoundingRect(block).height();
+    }
     const double margins = 2 * (field.frameWidth() + field.document()->documentMargin());
-    field.setFixedHeight(static_cast<int>(std::ceil(lines * field.fontMetrics().lineSpacing() + margins)));
+    field.setFixedHeight(static_cast<int>(
+        std::ceil(std::max<double>(height, fewest * field.fontMetrics().lineSpacing()) + margins)));
   };
   QObject::connect(field.document()->documentLayout(), &QAbstractTextDocumentLayout::documentSizeChanged,
                    &field, fit);
+  // Narrower or wider, the text has more or fewer lines.
+  QObject::connect(field.verticalScrollBar(), &QScrollBar::rangeChanged, &field, fit);
   QObject::connect(&TypeSize::of_application(), &TypeSize::changed, &field,
                    [&field, fit] { QTimer::singleShot(0, &field, fit); });
   fit();

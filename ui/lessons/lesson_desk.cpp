@@ -163,9 +163,33 @@ bool LessonDesk::awaits_prediction() const {
          !covers_.revealed.contains(open_->lesson.id) && prediction().isEmpty();
 }
 
-QString LessonDesk::prediction() const {
-  const auto found = open_ == nullptr ? work_.end() : work_.find({open_->lesson.id, ui::prediction});
+QString LessonDesk::written(std::size_t number) const {
+  const auto found = open_ == nullptr ? work_.end() : work_.find({open_->lesson.id, number});
   return found == work_.end() ? QString() : found->second.answer;
+}
+
+QString LessonDesk::prediction() const {
+  return written(ui::prediction);
+}
+
+QString LessonDesk::sentence() const {
+  return open_ == nullptr ? QString()
+                          : filled(open_->lesson.transfer)
+                                .trimmed()
+                                .replace('\n', ' ')
+                                .replace(QChar::Nbsp, ' ');  // as text fields return it
+}
+
+QString LessonDesk::transfer() const {
+  const QString completed = written(ui::transfer);
+  return completed.isEmpty() ? sentence() : completed;
+}
+
+void LessonDesk::set_transfer(const QString& text) {
+  if (open_ != nullptr && text != transfer()) {
+    work_[{open_->lesson.id, ui::transfer}].answer = text == sentence() ? QString() : text;
+    emit work_changed();
+  }
 }
 
 void LessonDesk::predict(const QString& text) {
@@ -206,7 +230,7 @@ void LessonDesk::unlock(bool on) {
 }
 
 QString LessonDesk::filled(const std::string& text) const {
-  return QString::fromStdString(feedscope::filled(text, open_->numbers));
+  return QString::fromStdString(kept_together(feedscope::filled(text, open_->numbers)));
 }
 
 QString LessonDesk::watched() const {

@@ -61,6 +61,9 @@ class LessonDesk : public QObject {
   /// Typed text of a prediction that is not stored, kept for when the lesson is opened again.
   QString draft() const;
   void set_draft(const QString& text);
+  /// The completed sentence about the learner's own control; as the lesson has it while nothing is completed.
+  QString transfer() const;
+  void set_transfer(const QString& text);
   /// Uncovers the run without a prediction.
   void reveal();
   /// Whether lessons show their run without a prediction; set by a teacher.
@@ -136,6 +139,10 @@ class LessonDesk : public QObject {
   void find_programs();
   void measure();
   Place place() const { return {open_->lesson.id, question_}; }
+  /// The text stored at a number of LessonWork for the open lesson; "": none.
+  QString written(std::size_t number) const;
+  /// The lesson's sentence about one's own control in one line.
+  QString sentence() const;
   void follow_run();
   void report(const std::exception& error) { emit failed(failure_text(error)); }
 

@@ -27,6 +27,7 @@
 #include "ui/fields/focus_outline.h"
 #include "ui/fields/short_number_box.h"
 #include "ui/language/texts.h"
+#include "ui/language/whole_units.h"
 #include "ui/lessons/fit_to_text.h"
 #include "ui/lessons/lesson_tries.h"
 #include "ui/lessons/tries_table.h"
@@ -70,7 +71,7 @@ QToolButton* make_arrow(QAction* action, Qt::ArrowType arrow, QWidget* parent) {
 
 /// HTML of Markdown; unlike that of QTextDocument with space between paragraphs.
 QString as_html(const QString& markdown) {
-  return QString::fromStdString(markdown_as_html(markdown.toStdString()));
+  return with_whole_units(QString::fromStdString(markdown_as_html(markdown.toStdString())));
 }
 
 bool is_setting(const std::string& key) {
@@ -100,8 +101,10 @@ LessonView::LessonView(LessonDesk& desk, QWidget* parent)
       show_setting_(new QToolButton(control_)),
       value_(new QLabel(this)),
       lower_(new QStackedWidget(this)),
+      predict_text_(make_browser(tr("Before you look"), this)),
       own_prediction_(new QPlainTextEdit(this)),
       predict_(new QPushButton(tr("Show the run"), this)),
+      transfer_(new QPlainTextEdit(this)),
       tried_(new QWidget(this)),
       tries_(new TriesTable(tried_)),
       own_answer_(new QPlainTextEdit(this)),
@@ -123,6 +126,8 @@ LessonView::LessonView(LessonDesk& desk, QWidget* parent)
   fit_to_text(*expected_);
   fit_to_lines(*own_answer_);
   fit_to_lines(*own_prediction_);
+  fit_to_text(*predict_text_);
+  fit_to_lines(*transfer_);
   own_answer_->setAccessibleName(tr("Your own answer"));
   own_answer_->setPlaceholderText(tr("Your own answer"));
   own_answer_->setToolTip(tr("Your own answer, kept with the session"));
@@ -139,6 +144,8 @@ LessonView::LessonView(LessonDesk& desk, QWidget* parent)
   });
   connect(own_answer_, &QPlainTextEdit::textChanged, this,
           [this] { desk_.set_answer(own_answer_->toPlainText()); });
+  connect(transfer_, &QPlainTextEdit::textChanged, this,
+          [this] { desk_.set_transfer(transfer_->toPlainText()); });
   connect(own_prediction_, &QPlainTextEdit::textChanged, this, [this] {
     desk_.set_draft(own_prediction_->toPlainText());
     predict_->setEnabled(!own_prediction_->toPlainText().trimmed().isEmpty());
@@ -213,8 +220,8 @@ void LessonView::make_actions() {
   connect(clear_action_, &QAction::triggered, &desk_, &LessonDesk::clear_tries);
   connect(set_up_action_, &QAction::triggered, &desk_, &LessonDesk::set_up_window);
   connect(return_action_, &QAction::triggered, this, &LessonView::return_wanted);
-  connect(before_action_, &QAction::triggered, this, [this] { desk_.choose_question(desk_.question() - 1); });
-  connect(after_action_, &QAction::triggered, this, [this] { desk_.choose_question(desk_.question() + 1); });
+  connect(before_action_, &QAction::triggered, this, [this] { go(false); });
+  connect(after_action_, &QAction::triggered, this, [this] { go(true); });
   for (QAction* action : {hint_action_, answer_action_}) {
     connect(action, &QAction::toggled, this, &LessonView::show_texts);
     connect(action, &QAction::toggled, this, [this](bool shown) {
@@ -250,19 +257,32 @@ void LessonView::share_height() {
   }
   const QWidget& upper = *halves_->widget(0);
   const QWidget& lower = *halves_->widget(1);
-  const QLayout& question = *work_->widget()->layout();
-  const int shown = work_->viewport()->width();
-  const int of_question =
-      question.hasHeightForWidth() ? question.totalHeightForWidth(shown) : question.totalSizeHint().height();
-  const int wanted_below = desk_.awaits_prediction()
-                               ? lower_->currentWidget()->sizeHint().height()
-                               : lower.height() - work_->viewport()->height() + of_question;
+  const int wanted_below = height_for_lower();
   const int wanted_above = upper.height() - text_->viewport()->height() +
                            static_cast<int>(std::ceil(text_->document()->size().height()));
   const int all = upper.height() + lower.height();
   const int least = all / 3;
   const int above = std::clamp(all - wanted_below, least, std::max(least, wanted_above));
   halves_->setSizes({above, all - above});
+}
+
+int LessonView::height_for_lower() const {
+  const int all = halves_->widget(1)->height();
+  if (desk_.awaits_prediction()) {
+    return lower_->currentWidget()->sizeHint().height();
+  }
+  if (at_transfer_) {
+    return all - transfer_page_->height() + transfer_page_->sizeHint().height();
+  }
+  const QLayout& question = *work_->widget()->layout();
+  const int width = work_->viewport()->width();
+  // Room for the first value, which then leaves the buttons in place.
+  const int values = tried_->isHidden()
+                         ? tried_->sizeHint().height() + tries_->minimumHeight() + 2 * fontMetrics().height()
+                         : 0;
+  return all - work_->viewport()->height() + values +
+         (question.hasHeightForWidth() ? question.totalHeightForWidth(width)
+                                       : question.totalSizeHint().height());
 }
 
 QWidget* LessonView::make_upper() {
@@ -308,7 +328,6 @@ QWidget* LessonView::make_lower() {
   tried->setContentsMargins(0, 0, 0, 0);
   tried->setSpacing(2);
   tried->addWidget(tries_);
-  tries_->installEventFilter(this);
   tried->addLayout(copies);
   auto* help = new FlowLayout;
   help->setSpacing(4);
@@ -329,6 +348,7 @@ QWidget* LessonView::make_lower() {
   work_->setFrameShape(QFrame::NoFrame);
   work_->setWidgetResizable(true);
   work_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  work_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // the buttons wrap the same with more values
   work_->setFocusPolicy(Qt::NoFocus);
   work_->setWidget(content);
   auto* lower = new QWidget(this);
@@ -336,6 +356,8 @@ QWidget* LessonView::make_lower() {
   whole->setContentsMargins(0, 0, 0, 0);
   whole->addLayout(steps);  // always at the same place
   whole->addWidget(work_, 1);
+  transfer_page_ = make_transfer();
+  whole->addWidget(transfer_page_, 1);
   lower_->addWidget(make_prediction());
   lower_->addWidget(lower);
   return lower_;
@@ -351,8 +373,21 @@ QWidget* LessonView::make_prediction() {
   own_prediction_->setTabChangesFocus(true);
   predict_->setToolTip(tr("Write the prediction down and set up the window with the lesson"));
   predict_->setEnabled(false);
+  layout->addWidget(predict_text_);
   layout->addWidget(own_prediction_);
   layout->addWidget(predict_, 0, Qt::AlignLeft);
+  layout->addStretch(1);
+  return page;
+}
+
+QWidget* LessonView::make_transfer() {
+  auto* page = new QWidget(this);
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(0, 0, 0, 0);
+  transfer_->setAccessibleName(tr("On my control"));
+  transfer_->setToolTip(tr("Complete the sentence; kept with the session and printed on the hand-out"));
+  transfer_->setTabChangesFocus(true);
+  layout->addWidget(transfer_);
   layout->addStretch(1);
   return page;
 }
@@ -364,13 +399,6 @@ bool LessonView::shows_list() const {
 void LessonView::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   desk_.list();
-}
-
-bool LessonView::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == tries_ && event->type() == QEvent::Resize && tries_->rowCount() < 2) {
-    sharing_.start();  // with the first values; later ones leave the buttons in place
-  }
-  return Panel::eventFilter(watched, event);
 }
 
 void LessonView::resizeEvent(QResizeEvent* event) {
@@ -396,7 +424,7 @@ void LessonView::show_list() {
     contents += QStringLiteral("[**%1**](%2)\n\n%3\n\n").arg(title).arg(i).arg(entry.learn);
   }
   const QString courses = tr("A course of half a day: %1. Of two days: all.").arg(half_day.join(", "));
-  list_->setHtml(as_html(contents.isEmpty() ? tr("Loading lessons …") : courses + "\n\n" + contents));
+  list_->setHtml(contents.isEmpty() ? QString() : as_html(courses + "\n\n" + contents));
   show_lesson();
 }
 
@@ -407,30 +435,32 @@ void LessonView::show_lesson() {
   if (own_prediction_->toPlainText() != desk_.draft()) {
     own_prediction_->setPlainText(desk_.draft());
   }
+  at_transfer_ = false;
   show_cover();
 }
 
-/// Ends the lesson's text with the task of the prediction while that is pending, else with the prediction.
+/// Ends the lesson's text with the prediction once it is written.
 void LessonView::show_text() {
   const Lesson* lesson = desk_.lesson();
   if (lesson == nullptr) {
     return;
   }
-  const auto part = [this](const QString& heading, const std::string& text) {
-    return text.empty() ? QString() : QStringLiteral("\n\n**%1**\n\n").arg(heading) + desk_.filled(text);
-  };
+  const QString task =
+      lesson->predict.empty()
+          ? QString()
+          : QStringLiteral("**%1**\n\n%2").arg(tr("Before you look"), desk_.filled(lesson->predict));
+  const bool covered = desk_.awaits_prediction();
+  predict_text_->setHtml(as_html(task));
   const QString shown =
-      as_html(QStringLiteral("### %1\n\n*%2*\n\n%3%4")
+      as_html(QStringLiteral("### %1\n\n*%2*\n\n%3\n\n%4")
                   .arg(QString::fromStdString(lesson->title), QString::fromStdString(lesson->learn),
-                       desk_.filled(lesson->text), part(tr("Before you look"), lesson->predict)));
+                       desk_.filled(lesson->text), covered ? QString() : task));
   const QString predicted = desk_.prediction().toHtmlEscaped().replace('\n', QStringLiteral("<br>"));
   const QString written =
       predicted.isEmpty()
           ? QString()
           : QStringLiteral("<p><b>%1</b> <i>%2</i></p>").arg(tr("Your prediction:"), predicted);
-  const QString transfer =
-      desk_.awaits_prediction() ? QString() : as_html(part(tr("On my control"), lesson->transfer));
-  text_->setHtml(shown + written + transfer);
+  text_->setHtml(shown + written);
 }
 
 void LessonView::show_cover() {
@@ -455,29 +485,42 @@ void LessonView::step(bool forward) {
     if (forward) {
       desk_.reveal();
     }
-  } else if (answer_action_->isChecked() != forward) {
+  } else if (!at_transfer_ && answer_action_->isChecked() != forward) {
     answer_action_->setChecked(forward);
-  } else if (forward) {
-    desk_.choose_question(desk_.question() + 1);
-  } else if (desk_.question() > 0) {
-    desk_.choose_question(desk_.question() - 1);
-    answer_action_->setChecked(true);
+  } else if ((forward ? after_action_ : before_action_)->isEnabled()) {
+    go(forward);
+    answer_action_->setChecked(!forward);
+  }
+}
+
+void LessonView::go(bool forward) {
+  const Lesson* lesson = desk_.lesson();
+  const bool last = lesson != nullptr && desk_.question() + 1 == lesson->questions.size();
+  if (forward ? last : at_transfer_) {
+    at_transfer_ = forward;
+    show_question();
+  } else {
+    desk_.choose_question(forward ? desk_.question() + 1 : desk_.question() - 1);
   }
 }
 
 void LessonView::show_question() {
   const Lesson* lesson = desk_.lesson();
   const std::size_t count = lesson == nullptr || desk_.awaits_prediction() ? 0 : lesson->questions.size();
-  before_action_->setEnabled(count > 0 && desk_.question() > 0);
-  after_action_->setEnabled(desk_.question() + 1 < count);
-  hint_action_->setEnabled(count > 0 && !lesson->questions[desk_.question()].hint.empty());
-  answer_action_->setEnabled(count > 0);
+  const bool asks = count > 0 && !at_transfer_;
+  before_action_->setEnabled(count > 0 && (at_transfer_ || desk_.question() > 0));
+  after_action_->setEnabled(asks && (desk_.question() + 1 < count || !lesson->transfer.empty()));
+  hint_action_->setEnabled(asks && !lesson->questions[desk_.question()].hint.empty());
+  answer_action_->setEnabled(asks);
   hint_action_->setChecked(false);
   answer_action_->setChecked(false);
-  number_->setText(
-      count == 0
-          ? QString()
-          : QStringLiteral("<b>%1</b>").arg(tr("Question %1 of %2").arg(desk_.question() + 1).arg(count)));
+  number_->setText(count == 0 ? QString()
+                              : QStringLiteral("<b>%1</b>")
+                                    .arg(at_transfer_
+                                             ? tr("On my control")
+                                             : tr("Question %1 of %2").arg(desk_.question() + 1).arg(count)));
+  work_->setVisible(!at_transfer_);
+  transfer_page_->setVisible(at_transfer_);
   show_texts();
   show_control();
   show_value();
@@ -529,8 +572,10 @@ void LessonView::show_control() {
   }
   const Control& control = lesson->questions[desk_.question()].control;
   const QString key = setting_title(control.key);
+  const QString with_unit = setting_title_with_unit(control.key);
   key_->setToolTip(QString::fromStdString(control.key));
-  key_->setText(control.range ? tr("Vary <b>%1</b> between").arg(key) : tr("Set <b>%1</b> to").arg(key));
+  key_->setText(control.range ? tr("Vary <b>%1</b> between").arg(with_unit)
+                              : tr("Set <b>%1</b> to").arg(with_unit));
   show_setting_->setVisible(is_setting(control.key));
   for (const std::string& value : control.values) {
     auto* button = new QToolButton(values_);
@@ -544,6 +589,8 @@ void LessonView::show_control() {
   values_->layout()->removeWidget(own_);
   values_->layout()->addWidget(own_);  // after the buttons
   if (takes_numbers(control)) {
+    const QString unit = setting_unit(control.key);
+    own_value_->setSuffix(unit.isEmpty() ? QString() : QChar(QChar::Nbsp) + unit);
     own_value_->setValue(*typed_number(control.values.front()).value);
   }
 }
@@ -568,6 +615,10 @@ void LessonView::show_work() {
   if (own_answer_->toPlainText() != work.answer) {
     const QSignalBlocker quiet(own_answer_);
     own_answer_->setPlainText(work.answer);
+  }
+  if (transfer_->toPlainText() != desk_.transfer()) {
+    const QSignalBlocker quiet(transfer_);
+    transfer_->setPlainText(desk_.transfer());
   }
 }
 

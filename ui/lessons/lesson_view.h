@@ -46,10 +46,14 @@ class LessonView : public Panel {
   TriesTable& tries() { return *tries_; }
   QPlainTextEdit& own_answer() { return *own_answer_; }
   QPlainTextEdit& own_prediction() { return *own_prediction_; }
+  /// What is to be predicted, above the field for it.
+  QTextBrowser& predict_text() { return *predict_text_; }
+  /// The sentence about the learner's own control, to be completed after the last question.
+  QPlainTextEdit& transfer() { return *transfer_; }
   /// Stores the prediction and shows the run.
   QPushButton& predict_button() { return *predict_; }
   /// The next or the previous step of the lesson before a class: the run without a prediction, then each
-  /// question and its answer; a text that goes on below is read to its end first.
+  /// question and its answer, then the sentence; a text that goes on below is read to its end first.
   void step(bool forward);
   /// The lesson's answer, while it is shown.
   QTextBrowser& expected() { return *expected_; }
@@ -71,7 +75,6 @@ class LessonView : public Panel {
  protected:
   void showEvent(QShowEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void make_actions();
@@ -81,6 +84,10 @@ class LessonView : public Panel {
   QWidget* make_upper();
   QWidget* make_lower();
   QWidget* make_prediction();
+  QWidget* make_transfer();
+  /// To the next question or the previous one; the sentence to complete comes after the last.
+  void go(bool forward);
+  int height_for_lower() const;
   void show_list();
   void show_lesson();
   void show_text();
@@ -112,8 +119,12 @@ class LessonView : public Panel {
   QToolButton* show_setting_;
   QLabel* value_;
   QStackedWidget* lower_;  ///< input field of the prediction, or question
+  QTextBrowser* predict_text_;
   QPlainTextEdit* own_prediction_;
   QPushButton* predict_;
+  QPlainTextEdit* transfer_;
+  QWidget* transfer_page_ = nullptr;
+  bool at_transfer_ = false;  ///< after the last question
   QWidget* tried_;
   TriesTable* tries_;
   QPlainTextEdit* own_answer_;

@@ -29,6 +29,8 @@ LearnersWork work_on(const Lesson& lesson, const LessonWork& work) {
     }
     if (where.second == prediction) {
       made.prediction = done.answer.trimmed().toStdString();
+    } else if (where.second == transfer) {
+      made.transfer = done.answer.trimmed().toStdString();
     } else if (where.second < made.answers.size()) {
       const bool fits = is_work_on(lesson.questions[where.second], done);
       made.answers[where.second] = {done.answer.trimmed().toStdString(),

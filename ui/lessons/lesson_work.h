@@ -22,9 +22,10 @@ struct QuestionWork {
 };
 
 /// By the id of a lesson and the number of its question, from 0; the prediction is the answer to
-/// `prediction`.
+/// `prediction`, the completed sentence about one's own control that to `transfer`.
 using LessonWork = std::map<std::pair<std::string, std::size_t>, QuestionWork>;
 inline constexpr std::size_t prediction = std::numeric_limits<std::size_t>::max();
+inline constexpr std::size_t transfer = prediction - 1;
 /// The part of `work` on a lesson, for its hand-out; only tries that are is_work_on() its questions.
 LearnersWork work_on(const Lesson& lesson, const LessonWork& work);
 /// The part of `work` on lessons that `held` does not contain.

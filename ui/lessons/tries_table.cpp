@@ -94,8 +94,8 @@ TriesTable::TriesTable(QWidget* parent) : QTableWidget(parent) {
 void TriesTable::show_work(const Question& question, const QString& watched, const QuestionWork& work) {
   const bool of_time = watched_name(question.watch) == cycle_time_name;
   const MeasureSpec& spec = *question.watch.spec;
-  QStringList headings{heading(setting_title(question.control.key), {}), heading(tr("cycle time"), tr("s")),
-                       heading(tr("change"), QStringLiteral("%"))};
+  QStringList headings{heading(setting_title(question.control.key), setting_unit(question.control.key)),
+                       heading(tr("cycle time"), tr("s")), heading(tr("change"), QStringLiteral("%"))};
   if (!of_time) {
     headings += {heading(watched, QString::fromStdString(spec.unit)), headings.last()};
   }

@@ -49,7 +49,7 @@ ChartsPage::ChartsPage() : title_(new QLabel(this)), charts_(new ChartsPanel(cur
 
 void ChartsPage::set_run(const Run& run) {
   title_->setText(title_of(run));
-  charts_->set_limits(run.setup.machine.axes, run.setup.machine.kinematics);
+  charts_->set_limits(run.setup);
   charts_->set_run(run.trajectory, std::make_shared<const Envelope>(run.trajectory, run.sources), false,
                    run.sources);
 }
@@ -58,7 +58,7 @@ void ChartsPage::set_runs(const ReportInput& input, std::size_t row) {
   const ShownRun& shown = *input.runs[row].shown;
   const QString letter = input.runs.size() > 1 ? run_letter(row) : QString();
   title_->setText(title_of(shown.run, letter.isEmpty() ? letter : letter + ' ' + input.runs[row].name));
-  charts_->set_limits(shown.run.setup.machine.axes, shown.run.setup.machine.kinematics);
+  charts_->set_limits(shown.run.setup);
   range_.show_rapids(input.scene.rapids);
   charts_->set_run(shown.run.trajectory, shown.envelope, false, shown.run.sources);
   std::vector<RunOverlay> others;

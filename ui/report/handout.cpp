@@ -6,10 +6,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "core/analysis/study/sweep.h"
 #include "core/lessons/lesson_language.h"
 #include "ui/language/core_texts.h"
-#include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 #include "ui/paper/html_table.h"
 #include "ui/report/question_figure.h"
@@ -39,14 +37,8 @@ ReportInput input_of(const Lesson& lesson, LessonRuns& runs, Progress* progress)
   return input;
 }
 
-/// "Contour tolerance [mm]": values on paper are in the unit of the key.
 std::string title_with_unit(const std::string& key) {
-  const QString title = setting_title(key);
-  const bool has_unit = key != "program" && key != "machine" && key != "model";
-  const std::string unit = has_unit ? sweep_unit(key) : std::string();
-  const KeyUnit shown = key_unit(unit);
-  const QString text = shown.factor == 1 ? shown.text : QString::fromStdString(unit);
-  return (text.isEmpty() ? title : QStringLiteral("%1 [%2]").arg(title, text)).toStdString();
+  return setting_title_with_unit(key).toStdString();
 }
 
 /// Programs by their names, words as in the window.

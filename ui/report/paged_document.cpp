@@ -12,8 +12,8 @@
 #include <optional>
 #include <utility>
 
+#include "ui/language/whole_units.h"
 #include "ui/report/template_pictures.h"
-#include "ui/report/whole_units.h"
 #include "ui/theme/fonts.h"
 
 namespace feedscope::ui {

@@ -38,11 +38,12 @@ Interval times_of(const Measure& watch, const ShownRun& shown) {
   return {from, from + shown.line_times->of(watch.first_line, watch.last_line).time};
 }
 
-/// From the middle of the watched line to that of the next one.
+/// Half of the shorter one of the watched line and the next, on both sides of their corner.
 Interval times_of_corner(const Measure& watch, const ShownRun& shown) {
   const Interval line = times_of(watch, shown);
   const double next = shown.line_times->of(watch.last_line + 1).time;
-  return {(line.lower + line.upper) / 2, line.upper + next / 2};
+  const double half = std::min(line.width(), next) / 2;
+  return {line.upper - half, line.upper + half};
 }
 
 bool watches_the_same(const Measure& one, const Measure& other) {
@@ -112,11 +113,16 @@ QString chart_figure(const Lesson& lesson, const Question& question, ReportInput
                 caption("Before anything is changed: {}.", lesson, watched));
 }
 
-/// The range of a time interval in 3D, or the whole path.
+/// A time interval of the path in 3D with its surroundings, or the whole path.
 QString view_figure(const Lesson& lesson, const Question& question, ReportInput seen,
                     const std::optional<Interval>& times, const QString& name, ReportPictures& pictures) {
   seen = without_other_runs(std::move(seen));
   seen.texts = without_line_names(std::move(seen.texts));  // they would lie over so low a picture
+  if (times) {                                             // the rest is pale
+    seen.scene.stretch = {PathStretch::charts, false};
+    seen.charts.time = times;
+    seen.scene.actual = seen.scene.actual && is_deviation(question.watch);
+  }
   const QSizeF size(report_width, question_view_height);
   const auto paint = [seen, size, times](QPainter& painter, double pixel_ratio) {
     constexpr double text = 0.8;
@@ -136,21 +142,21 @@ QString view_figure(const Lesson& lesson, const Question& question, ReportInput 
                 caption(english, lesson, watched));
 }
 
-QString polar_figure(const Lesson& lesson, const Question& question, const ReportInput& seen,
-                     const ProgramCircles& circles, const QString& name, ReportPictures& pictures) {
+QString polar_figure(const Lesson& lesson, const Question& question, const ProgramCircles& circles,
+                     const QString& name, ReportPictures& pictures) {
   constexpr double shrunk = 0.57;
+  constexpr double heading = 40;  // without title and machine, which caption and first page have
   auto plot = std::make_shared<PolarPlot>();
   plot->setPalette(QPalette(Qt::white));
   plot->ensurePolished();
   std::vector<CircularTest> tests = circles.tests;
   std::erase_if(tests, [&](const CircularTest& test) { return !is_watched(test, question.watch); });
   tests.resize(std::min(tests.size(), most_circles));
-  plot->set_tests(QString::fromStdString(title_of(question.watch, lesson.language)),
-                  QString::fromStdString(seen.run().shown->run.setup.machine.name), std::move(tests));
-  const QSizeF size(report_width, plot->least_picture().height() * shrunk);
+  plot->set_tests({}, {}, std::move(tests));
+  const QSizeF size(report_width, (plot->least_picture().height() - heading) * shrunk);
   const auto paint = [plot, size](QPainter& painter, double) {
     painter.scale(shrunk, shrunk);
-    plot->draw(painter, QRectF(QPointF(), size / shrunk), false);
+    plot->draw(painter, QRectF(QPointF(), size / shrunk).adjusted(0, -heading, 0, 0), false);
   };
   const std::string watched = title_of(question.watch, lesson.language);
   return figure(pictures.add(name, {size, false, paint}, QString::fromStdString(watched)),
@@ -200,7 +206,7 @@ QString question_figure(const Lesson& lesson, std::size_t index, const ReportInp
     const ProgramCircles circles = program_circles(shown.run, progress);
     const auto watched = [&](const CircularTest& test) { return is_watched(test, watch); };
     if (std::ranges::any_of(circles.tests, watched)) {
-      return polar_figure(lesson, question, seen, circles, name, pictures);
+      return polar_figure(lesson, question, circles, name, pictures);
     }
   }
   const QString chart = chart_of(watch);

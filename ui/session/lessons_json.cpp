@@ -39,9 +39,13 @@ LessonTry read_try(const QJsonObject& json, const QString& place, QStringList& n
 void put_lessons(const LessonWork& work, QJsonObject& session) {
   QJsonArray json;
   QJsonObject predictions;
+  QJsonObject transfers;
   for (const auto& [where, done] : work) {
-    if (where.second == prediction) {
-      predictions[QString::fromStdString(where.first)] = done.answer;
+    if (where.second == prediction || where.second == transfer) {
+      if (!done.answer.isEmpty()) {
+        (where.second == prediction ? predictions : transfers)[QString::fromStdString(where.first)] =
+            done.answer;
+      }
       continue;
     }
     if (done.answer.isEmpty() && done.tries.empty()) {
@@ -63,13 +67,18 @@ void put_lessons(const LessonWork& work, QJsonObject& session) {
   if (!predictions.isEmpty()) {
     session["predictions"] = predictions;
   }
+  if (!transfers.isEmpty()) {
+    session["transfers"] = transfers;
+  }
 }
 
 LessonWork read_lessons(const QJsonObject& session, QStringList& notes) {
   LessonWork work;
-  const QJsonObject predictions = session["predictions"].toObject();
-  for (const QString& lesson : predictions.keys()) {
-    work[{lesson.toStdString(), prediction}].answer = predictions[lesson].toString();
+  for (const auto& [key, where] : {std::pair("predictions", prediction), std::pair("transfers", transfer)}) {
+    const QJsonObject texts = session[QLatin1String(key)].toObject();
+    for (const QString& lesson : texts.keys()) {
+      work[{lesson.toStdString(), where}].answer = texts[lesson].toString();
+    }
   }
   int number = 0;
   for (const QJsonValue& value : session["lessons"].toArray()) {

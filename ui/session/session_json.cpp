@@ -265,11 +265,13 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
                          const MachineLibrary& machines) {
   check_format(json);
   ReadSession read;
-  note_unknown(json, {"format",      "version",          "program",        "reading",
-                      "runs",        "current_run",      "cursor_s",       "view",
-                      "compare",     "charts",           "circular",       "load_file",
-                      "annotations", "traces",           "identification", "lessons",
-                      "predictions", "lessons_unlocked", "window",         "max_contour_error_mm"},
+  note_unknown(json, {"format",           "version",     "program",
+                      "reading",          "runs",        "current_run",
+                      "cursor_s",         "view",        "compare",
+                      "charts",           "circular",    "load_file",
+                      "annotations",      "traces",      "identification",
+                      "lessons",          "predictions", "transfers",
+                      "lessons_unlocked", "window",      "max_contour_error_mm"},
                QStringLiteral("the session"), read.notes);
   Session& session = read.session;
   const QJsonObject program = json["program"].toObject();

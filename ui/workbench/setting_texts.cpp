@@ -1,5 +1,6 @@
 #include "ui/workbench/setting_texts.h"
 
+#include <QCoreApplication>
 #include <QLocale>
 #include <QRegularExpression>
 #include <algorithm>
@@ -52,9 +53,11 @@ QStringList setting_texts(const std::map<std::string, SettingValue>& values) {
     if (std::ranges::adjacent_find(group.values, std::ranges::not_equal_to()) == group.values.end()) {
       group.values = {group.values.front()};
     }
-    texts.append(QStringLiteral("%1 %2 %3")
-                     .arg(title, group.values.join(QStringLiteral(" / ")), group.unit)
-                     .trimmed());
+    const QString pattern =
+        group.limit.empty() ? QStringLiteral("%1 %2 %3")
+                            : QCoreApplication::translate("texts", "%1 %2 %3",
+                                                          "limits of axes and their value: X Y Jerk 15 m/s³");
+    texts.append(pattern.arg(title, group.values.join(QStringLiteral(" / ")), group.unit).trimmed());
   }
   return texts;
 }

@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <regex>
+#include <set>
+
+#include "core/analysis/run/run.h"
+#include "core/models/control_model.h"
 
 namespace feedscope {
 namespace {
@@ -95,6 +99,34 @@ TEST_P(HandbookOf, IsPagesThatLinkEachOther) {
   EXPECT_THAT(whole_page_html(handbook.pages().back(), GetParam()), HasSubstr("href=\"index.html\""));
   for (const std::string& link : matches(index, "href=\"([^\"#]+)[.]html\"")) {
     EXPECT_NE(handbook.find(link), nullptr) << link;
+  }
+}
+
+/// Machines on the page of machine files as `id`, models on that of their accuracy as **id**.
+TEST_P(HandbookOf, NamesEveryMachineAndModel) {
+  const std::string& machines = handbook.find("machine-files")->markdown;
+  const MachineLibrary shipped = shipped_machines();
+  for (const std::string& id : shipped.ids()) {
+    EXPECT_THAT(machines, HasSubstr("`" + id + "`"));
+  }
+  const std::string& trust = handbook.find("trust")->markdown;
+  for (const ControlModel* model : all_models()) {
+    EXPECT_THAT(trust, HasSubstr("**" + model->info().id + "**"));
+  }
+}
+
+/// Settings that a tolerance of a control becomes.
+TEST_P(HandbookOf, NamesNoSettingThatIsGone) {
+  std::set<std::string> known;
+  for (const ControlModel* model : all_models()) {
+    const std::vector<std::string> keys = assignable_keys(*model);
+    known.insert(keys.begin(), keys.end());
+  }
+  const std::vector<std::string> named = matches(handbook.find("tolerance-on-your-control")->markdown,
+                                                 "`([a-z]+(?:_[a-z0-9]+)*_(?:mm|um|ms|s|m_s3|mm_s))[`=]");
+  EXPECT_GT(named.size(), 5U);
+  for (const std::string& key : named) {
+    EXPECT_TRUE(known.contains(key)) << key;
   }
 }
 

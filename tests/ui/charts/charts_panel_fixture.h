@@ -22,7 +22,7 @@ class ChartsPanelTest : public testing::Test {
     panel.resize(940, 390);
     panel.show();
     cursor.set_trajectory(run.trajectory);
-    panel.set_limits(run.setup.machine.axes);
+    panel.set_limits(run.setup);
     panel.set_run(run.trajectory, envelope, false);
     QApplication::processEvents();
     panel.refresh();

@@ -259,6 +259,23 @@ TEST_F(ChartsOfALoad, AHiddenChartGivesItsRoomToTheOthersAndTheLastOneStays) {
   EXPECT_FALSE(panel.chart(0).isHidden());
 }
 
+/// The filters of `ward` do not regard them, so that its curves would seem to break them.
+TEST_F(ChartsPanelTest, JerkLimitsAreShownWhereTheModelKeepsThem) {
+  auto setup = run.setup;
+  const auto shown = [&](std::size_t chart) {
+    panel.set_limits(setup);
+    QApplication::processEvents();
+    panel.refresh();
+    return !panel.chart(chart).limits_in_sight().empty();
+  };
+  ASSERT_TRUE(shown(jerk_chart));
+  const bool acceleration = shown(acceleration_chart);
+  setup.model = &find_model("ward");
+  setup.settings = complete_settings(*setup.model, setup.machine);
+  EXPECT_FALSE(shown(jerk_chart));
+  EXPECT_EQ(shown(acceleration_chart), acceleration);
+}
+
 TEST_F(ChartsOfALoad, BoundsOfTheOperationsAreLimitLines) {
   const std::vector<LimitLine> force = bound_lines(panel.chart(force_chart).spec(), *panel.sources().load);
   ASSERT_EQ(force.size(), 1U);

@@ -2,13 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <QGuiApplication>
 #include <QImage>
 #include <QPainter>
 #include <QStringList>
 #include <QValueAxis>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
+#include <set>
 
 #include "core/base/ticks.h"
 #include "tests/ui/report/recorded_text.h"
@@ -104,7 +107,7 @@ TEST_F(JerkChart, GrowsWithTheAxesInFull) {
 }
 
 TEST_F(JerkChart, ShowsALimitThatIsNotFarAway) {
-  chart().set_limits({{6, "limit of X", 0}});
+  chart().set_limits({{6, {}, {0}}});
   show({0, 200}, {-1, 4}, {0, 0});
   EXPECT_GE(highest(), 6);
   EXPECT_LE(lowest(), -6);
@@ -126,13 +129,61 @@ TEST_F(JerkChart, NamesOfLimitsAreNotInThePlot) {
 }
 
 TEST_F(JerkChart, TellsTheLimitsThatItShowsAndWhatItDoesNotDraw) {
-  chart().set_limits({{6, "limit of X", 0}, {500, "limit of Y", 1}});
+  chart().set_limits({{6, {}, {0}}, {500, {}, {1}}});
   show({0, 0}, {-20, 20}, {-1, 1});
   ASSERT_EQ(chart().limits_in_sight().size(), 1U);
   EXPECT_EQ(chart().limits_in_sight()[0].label, QStringLiteral("limit of X"));
   EXPECT_EQ(chart().notes(), QStringList());
   chart().set_jumps(true);
   EXPECT_EQ(chart().notes(), QStringList("jumps of the acceleration are not drawn"));
+}
+
+/// The limit of an axis at rest would look as if it were that of the others.
+TEST_F(JerkChart, ShowsLimitsOfMovingAxesOnly) {
+  chart().set_limits({{100, {}, {0}}, {6, {}, {1}}, {6, {}, {2}}});
+  show({0, 0}, {-20, 20}, {0, 0});
+  EXPECT_TRUE(chart().limits_in_sight().empty()) << "that of X is far away";
+  show({0, 0}, {-20, 20}, {-1, 1});
+  ASSERT_EQ(chart().limits_in_sight().size(), 1U);
+  EXPECT_EQ(chart().limits_in_sight()[0].label, QStringLiteral("limit of Y"));
+  EXPECT_EQ(chart().limits_in_sight()[0].axes, std::vector<std::size_t>{1}) << "in the colour of Y";
+}
+
+TEST(LimitLines, OneOfSeveralAxesHasTheColoursOfAllThatMove) {
+  const std::vector<LimitLine> limits{{10, {}, {0}}, {6, {}, {1}}, {10, {}, {2}}, {10, "bound", {}}};
+  const auto moving = [&](const std::vector<std::size_t>& axes) {
+    return limits_of_moving(limits, [&](const LimitLine& limit) {
+      return std::ranges::find(axes, limit.axes.front()) != axes.end();
+    });
+  };
+  const std::vector<LimitLine> all = moving({0, 1, 2});
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[0].label, QStringLiteral("limit of X Z"));
+  EXPECT_EQ(all[0].axes, (std::vector<std::size_t>{0, 2}));
+  EXPECT_EQ(all[1].axes, std::vector<std::size_t>{1});
+  EXPECT_EQ(all[2].label, QStringLiteral("bound")) << "not joined with X and Z";
+  QImage image(40, 3, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  const ThemeColours& colours = theme_colours(QGuiApplication::palette());
+  draw_limit_line(painter, {0, 1.5}, {40, 1.5}, all[0], colours, 1);
+  painter.end();
+  std::set<QRgb> seen;
+  for (int x = 0; x < image.width(); ++x) {
+    seen.insert(image.pixel(x, 1));
+  }
+  EXPECT_TRUE(seen.contains(colours.axes[0].rgb()));
+  EXPECT_TRUE(seen.contains(colours.axes[2].rgb()));
+  EXPECT_FALSE(seen.contains(colours.shared.rgb()));
+}
+
+TEST(LimitLines, OneOfAllMovingAxesHasTheCommonColour) {
+  const std::vector<LimitLine> lines =
+      limits_of_moving({{10, {}, {0}}, {10, {}, {1}}, {6, {}, {2}}},
+                       [](const LimitLine& limit) { return limit.axes.front() < 2; });
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_EQ(lines[0].label, QStringLiteral("limit of X Y"));
+  EXPECT_TRUE(lines[0].axes.empty());
 }
 
 /// Zero and its neighbours for every range: "-0.0" is none of their labels.

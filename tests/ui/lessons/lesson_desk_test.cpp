@@ -48,7 +48,7 @@ TEST_F(LessonDeskTest, ListsTheShippedLessons) {
 TEST_F(LessonDeskTest, OpensALessonWithItsNumbersAndLeavesTheWindow) {
   open("8");
   EXPECT_THAT(desk.filled(desk.lesson()->text).toStdString(),
-              HasSubstr("four full circles of radius 2.5 mm"));
+              HasSubstr("four full circles of radius 2.5\u00a0mm"));
   EXPECT_EQ(model.program(), nullptr);
   EXPECT_EQ(desk.value(), "");
 }
@@ -59,7 +59,7 @@ TEST_F(LessonDeskTest, SetsUpProgramRunsAndView) {
   desk.set_up_window();
   wait_for("0.767 s");
   EXPECT_EQ(model.file().filename(), "lesson_lines.nc");
-  ASSERT_EQ(model.runs().items().size(), 3U);
+  ASSERT_EQ(model.runs().items().size(), 4U);
   EXPECT_EQ(model.runs().current(), 0U);
   EXPECT_EQ(model.runs().items()[1].setup.file().model->info().id, "essid");
   EXPECT_EQ(std::get<double>(model.runs().items()[1].setup.value("X.acceleration")), 10);

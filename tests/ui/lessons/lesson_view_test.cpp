@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -24,6 +25,7 @@
 namespace feedscope::ui {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -76,9 +78,9 @@ TEST_F(LessonViewTest, TheListTakesThePanelUntilALessonIsChosen) {
   EXPECT_FALSE(view.shows_list());
   const std::string text = view.text().toPlainText().toStdString();
   EXPECT_THAT(text, HasSubstr("Small circles and approaches"));
-  EXPECT_THAT(text, HasSubstr("spreads the jump over one period of 12 ms"));
+  EXPECT_THAT(text, HasSubstr("spreads the jump over one period t of 12 ms"));
   EXPECT_THAT(text, HasSubstr("Before you look"));
-  EXPECT_THAT(text, HasSubstr("On my control"));
+  EXPECT_THAT(text, Not(HasSubstr("On my machine"))) << "after the last question";
   EXPECT_THAT(text, Not(HasSubstr("**")));
   EXPECT_THAT(question(), HasSubstr("Which feed do the circles of radius 2.5 mm reach"));
   view.panel_actions()[5]->trigger();
@@ -105,6 +107,10 @@ TEST_F(LessonViewTest, TheFieldForThePredictionIsInPlaceOfTheQuestions) {
   EXPECT_FALSE(view.set_up_button().isEnabled());
   EXPECT_FALSE(view.panel_actions()[4]->isEnabled()) << "the answer";
   EXPECT_FALSE(view.predict_button().isEnabled()) << "nothing is written";
+  EXPECT_TRUE(view.predict_text().isVisible());
+  EXPECT_THAT(view.predict_text().toPlainText().toStdString(), HasSubstr("Both rows are straight."));
+  EXPECT_EQ(view.predict_text().verticalScrollBar()->maximum(), 0) << "in full";
+  EXPECT_THAT(view.text().toPlainText().toStdString(), Not(HasSubstr("Both rows are straight.")));
   QTest::keyClicks(&view.own_prediction(), "3 < 6 m/min");
   choose_lesson(12);
   EXPECT_EQ(view.own_prediction().toPlainText(), "");
@@ -114,7 +120,8 @@ TEST_F(LessonViewTest, TheFieldForThePredictionIsInPlaceOfTheQuestions) {
   wait_for("3000 mm/min");
   EXPECT_FALSE(view.own_prediction().isVisible());
   EXPECT_TRUE(view.question().isVisible());
-  EXPECT_THAT(view.text().toPlainText().toStdString(), HasSubstr("Your prediction: 3 < 6 m/min"));
+  EXPECT_THAT(view.text().toPlainText().toStdString(),
+              AllOf(HasSubstr("Both rows are straight."), HasSubstr("Your prediction: 3 < 6 m/min")));
 }
 
 TEST_F(LessonViewTest, ATeacherShowsTheRunByOneCommand) {
@@ -152,13 +159,20 @@ TEST_F(LessonViewTest, StepsGoThroughRunQuestionsAndAnswers) {
   view.step(true);
   EXPECT_FALSE(desk.awaits_prediction());
   wait_for("3000 mm/min");
-  const std::vector<std::pair<std::size_t, bool>> steps{{0, true}, {1, false}, {1, true}, {1, true}};
+  const std::vector<std::pair<std::size_t, bool>> steps{{0, true}, {1, false}, {1, true}};
   for (const auto& [question, answer] : steps) {
     view.step(true);
     EXPECT_EQ(desk.question(), question);
     EXPECT_EQ(view.answer_button().isChecked(), answer);
+    EXPECT_FALSE(view.transfer().isVisible());
   }
-  const std::vector<std::pair<std::size_t, bool>> back{{1, false}, {0, true}, {0, false}, {0, false}};
+  for (int i = 0; i < 2; ++i) {
+    view.step(true);
+    EXPECT_TRUE(view.transfer().isVisible()) << "the last step";
+    EXPECT_FALSE(view.question().isVisible());
+  }
+  const std::vector<std::pair<std::size_t, bool>> back{
+      {1, true}, {1, false}, {0, true}, {0, false}, {0, false}};
   for (const auto& [question, answer] : back) {
     view.step(false);
     EXPECT_EQ(desk.question(), question);
@@ -232,6 +246,20 @@ TEST_F(LessonViewTest, ATryLeavesTheButtonsInPlace) {
     QTest::qWait(laid_out);
     EXPECT_EQ(place(), before) << "after " << rows << " values";
   }
+}
+
+TEST_F(LessonViewTest, TheFirstTryLeavesTheButtonsInPlace) {
+  choose_lesson(4);
+  view.panel_actions()[2]->trigger();
+  constexpr int laid_out = 50;  // [ms]
+  QTest::qWait(laid_out);
+  ASSERT_EQ(view.tries().rowCount(), 0);
+  const auto place = [this] { return view.values()[3]->mapTo(&view, QPoint()); };
+  const QPoint before = place();
+  click(view.values()[0]);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 1; }, patience));
+  QTest::qWait(laid_out);
+  EXPECT_EQ(place(), before) << "the next one is met by the same click";
 }
 
 TEST_F(LessonViewTest, TriesLastUntilTheyAreCleared) {
@@ -315,7 +343,7 @@ TEST_F(LessonViewTest, AValueOfOnesOwnIsTriedAsTheSuggestedOnes) {
   wait_for("2400 mm/min");
   ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 2; }, patience));
   EXPECT_EQ(view.tries().item(1, 0)->text(), "2.5");
-  EXPECT_EQ(field->text(), "2.5") << "without zeros behind";
+  EXPECT_EQ(field->text(), "2.5\u00a0ms") << "without zeros after it";
 }
 
 /// A run with other changes than the question's is no try of it.
@@ -345,6 +373,47 @@ TEST_F(LessonViewTest, AnAnswerOfOnesOwnStaysWithItsQuestion) {
   ASSERT_EQ(desk.answers().size(), 2U);
 }
 
+TEST_F(LessonViewTest, TheSentenceToCompleteComesAfterTheLastQuestion) {
+  choose_lesson(6);
+  QAction* after = view.panel_actions()[2];
+  after->trigger();
+  after->trigger();
+  EXPECT_TRUE(view.transfer().isVisible());
+  EXPECT_FALSE(after->isEnabled());
+  EXPECT_FALSE(view.panel_actions()[4]->isEnabled()) << "it has no answer";
+  const QString sentence = view.transfer().toPlainText();
+  EXPECT_THAT(sentence.toStdString(), testing::StartsWith("My control has a block processing time of … ms"));
+  EXPECT_TRUE(desk.answers().empty());
+  for (const int width : {360, 200}) {
+    view.resize(width, 700);
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return view.transfer().verticalScrollBar()->maximum() == 0; }, patience))
+        << "in full";
+  }
+  view.transfer().setPlainText("My control has 2 ms.");
+  choose_lesson(4);
+  choose_lesson(6);
+  EXPECT_FALSE(view.transfer().isVisible());
+  EXPECT_EQ(view.transfer().toPlainText(), "My control has 2 ms.");
+  EXPECT_EQ(work_on(*desk.lesson(), desk.all_work()).transfer, "My control has 2 ms.");
+  view.transfer().setPlainText(sentence);
+  EXPECT_TRUE(desk.answers().empty()) << "nothing is completed";
+}
+
+TEST_F(LessonViewTest, ValuesToSetHaveAUnit) {
+  choose_lesson(6);
+  EXPECT_EQ(view.own_value().suffix(), QStringLiteral("\u00a0ms"));
+  click(&view.set_up_button());
+  wait_for("3000 mm/min");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 1; }, patience));
+  EXPECT_TRUE(view.tries().horizontalHeaderItem(0)->text().endsWith("[ms]"));
+  bool named = false;
+  for (const QLabel* label : view.findChildren<QLabel*>()) {
+    named = named || label->text().contains("[ms]");
+  }
+  EXPECT_TRUE(named) << "above the buttons";
+}
+
 TEST_F(LessonViewTest, AnswersAQuestionByMovingTheControl) {
   choose_lesson(6);
   click(&view.set_up_button());
@@ -364,7 +433,7 @@ TEST_F(LessonViewTest, ShowsHintAndAnswerOnDemand) {
   view.panel_actions()[4]->trigger();
   EXPECT_TRUE(view.expected().isVisible());
   EXPECT_THAT(view.expected().toPlainText().toStdString(),
-              HasSubstr("with twice that the feed is half as high, 1500 mm/min"));
+              HasSubstr("with twice that the feed is half as high, 1500 mm\u2060/\u2060min"));
   EXPECT_GT(view.expected().mapTo(&view, QPoint()).y(), view.own_answer().mapTo(&view, QPoint()).y())
       << "below one's own";
   EXPECT_TRUE(
@@ -388,9 +457,8 @@ TEST_F(LessonViewTest, StepsThroughTheQuestions) {
   EXPECT_THAT(question(), HasSubstr("The second row"));
   EXPECT_FALSE(view.answer_button().isChecked()) << "the next question hides its answer";
   EXPECT_EQ(view.values().size(), 5);
-  EXPECT_FALSE(after->isEnabled());
+  EXPECT_TRUE(after->isEnabled()) << "the sentence follows";
   before->trigger();
-  EXPECT_TRUE(after->isEnabled());
   EXPECT_THAT(question(), HasSubstr("Which feed does the first row reach"));
 }
 

@@ -171,7 +171,7 @@ TEST_P(DesktopFontsTest, NumbersOfTheSmallestChartsAreWhole) {
   ChartsPanel panel(cursor, range);
   panel.show();
   cursor.set_trajectory(run.trajectory);
-  panel.set_limits(run.setup.machine.axes);
+  panel.set_limits(run.setup);
   panel.set_run(run.trajectory, std::make_shared<const Envelope>(run.trajectory), false);
   panel.resize(500, panel.minimumSizeHint().height());
   QApplication::processEvents();

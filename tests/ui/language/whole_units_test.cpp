@@ -1,4 +1,4 @@
-#include "ui/report/whole_units.h"
+#include "ui/language/whole_units.h"
 
 #include <gtest/gtest.h>
 
