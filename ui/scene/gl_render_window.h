@@ -12,6 +12,7 @@ class GlRenderWindow : public vtkGenericOpenGLRenderWindow {
 
   void OpenGLInitContext() override;
   void Start() override;
+  void Frame() override;
   /// Whether the context is Mesa's without a GPU; false before the first frame.
   bool draws_in_software() const { return software_; }
 
