@@ -23,6 +23,7 @@
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
 #include "ui/report/report_words.h"
+#include "ui/report/scene_picture.h"
 #include "ui/report/template_pictures.h"
 
 namespace feedscope::ui {
@@ -211,6 +212,7 @@ ReportPage report_page(const ReportInput& asked, const ReportTemplate& page, Rep
 }
 
 std::string file_of(const ReportPage& page, ReportFormat format, const PageTexts& texts) {
+  const SharedPictureWindow window;
   switch (format) {
     case ReportFormat::pdf:
       return paged_pdf(page.html, page.pictures, texts);
@@ -230,6 +232,7 @@ std::string make_report(const ReportInput& input, const ReportTemplate& page, Re
 
 std::vector<std::string> make_report_pictures(const ReportInput& input, const ReportTemplate& page,
                                               double dpi, Progress* progress) {
+  const SharedPictureWindow window;
   const ReportPage report = report_page(input, page, ReportFormat::pdf, progress);
   return paged_pictures(report.html, report.pictures, page_texts(input), dpi);
 }

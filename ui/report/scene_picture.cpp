@@ -1,13 +1,11 @@
 #include "ui/report/scene_picture.h"
 
 #include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkNew.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <QPaintEngine>
 #include <QPainter>
 #include <cmath>
-#include <cstring>
+#include <utility>
 
 #include "core/base/error.h"
 #include "ui/report/scene_vectors.h"
@@ -39,6 +37,28 @@ std::vector<OverlayRun> overlays_of(const ReportInput& input, std::size_t row) {
   return overlays;
 }
 
+using PictureWindow = vtkSmartPointer<vtkGenericOpenGLRenderWindow>;
+
+/// Windows of this thread between two pictures.
+struct SpareWindow {
+  PictureWindow window;  ///< null: none, or in use
+  int users = 0;         ///< SharedPictureWindow
+};
+
+SpareWindow& spare() {
+  thread_local SpareWindow windows;
+  return windows;
+}
+
+PictureWindow take_window(bool transparent) {
+  PictureWindow window = transparent ? nullptr : std::exchange(spare().window, nullptr);
+  if (window == nullptr) {
+    window = make_render_window(RenderBackend::software);
+    window->SetAlphaBitPlanes(transparent ? 1 : 0);
+  }
+  return window;
+}
+
 QSize pixels_of(const QSizeF& size, double ratio) {
   const QSize pixels(static_cast<int>(std::lround(size.width() * ratio)),
                      static_cast<int>(std::lround(size.height() * ratio)));
@@ -55,12 +75,18 @@ QSize pixels_of(const QSizeF& size, double ratio) {
 
 }  // namespace
 
+SharedPictureWindow::SharedPictureWindow() {
+  ++spare().users;
+}
+
+SharedPictureWindow::~SharedPictureWindow() {
+  if (--spare().users == 0) {
+    spare().window = nullptr;
+  }
+}
+
 ScenePicture::ScenePicture(const ReportInput& input, std::size_t row, ThemeKind theme, bool transparent)
-    : input_(input),
-      row_(row),
-      window_(make_render_window(RenderBackend::software)),
-      theme_(theme),
-      transparent_(transparent) {
+    : input_(input), row_(row), window_(take_window(transparent)), theme_(theme), transparent_(transparent) {
   const ReportRun& run = input.runs[row];
   scene_.set_background(theme == ThemeKind::dark ? Background::dark : Background::light);
   scene_.set_transparent(transparent);
@@ -69,9 +95,6 @@ ScenePicture::ScenePicture(const ReportInput& input, std::size_t row, ThemeKind 
   scene_.set_executed(run.shown->run.trajectory, samples());
   scene_.set_overlays(overlays_of(input, row));
   scene_.set_run_colour(rgb_of(run.colour));
-  if (transparent) {
-    window_->SetAlphaBitPlanes(1);
-  }
   scene_.attach(*window_);
   set_scene_state(scene_, input.scene);
   show_stretch();
@@ -110,6 +133,10 @@ std::shared_ptr<const SampledPath> ScenePicture::samples() {
 
 ScenePicture::~ScenePicture() {
   scene_.detach();
+  if (spare().users > 0 && !transparent_) {
+    window_->SetSize(0, 0);  // as a new one
+    spare().window = std::move(window_);
+  }
 }
 
 void ScenePicture::prepare(const QSizeF& size, const SceneScale& scale) {
@@ -122,14 +149,8 @@ QImage ScenePicture::image(const QSizeF& size, const SceneScale& scale) {
   prepare(size, scale);
   const QSize pixels = pixels_of(size, scale.pixel_ratio);
   window_->Render();
-  const vtkNew<vtkUnsignedCharArray> data;
-  window_->GetRGBACharPixelData(0, 0, pixels.width() - 1, pixels.height() - 1, 0, data);
   QImage image(pixels, transparent_ ? QImage::Format_RGBA8888_Premultiplied : QImage::Format_RGBX8888);
-  const auto row = static_cast<std::size_t>(pixels.width()) * 4;
-  for (int y = 0; y < pixels.height(); ++y) {
-    std::memcpy(image.scanLine(pixels.height() - 1 - y),
-                data->GetPointer(0) + static_cast<std::size_t>(y) * row, row);
-  }
+  read_frame(*window_, [&image](int y) { return image.scanLine(y); });
   return image;
 }
 
@@ -147,7 +168,7 @@ AnnotatedView ScenePicture::annotated(const QSizeF& size, const SceneScale& scal
 /// Paints vectors; false if the frame cannot be drawn as vectors.
 bool ScenePicture::paint_lines(QPainter& painter, const QRectF& place, const SceneScale& scale) {
   prepare(place.size(), scale);
-  window_->Render();  // updates the drawn contents
+  scene_.lay_out();
   painter.save();
   if (!transparent_) {
     const Rgb& colour =

@@ -18,6 +18,16 @@ struct SceneScale {
   double text_scale = 1;   ///< size of text and lines, 1 for 96 units per inch
 };
 
+/// While one exists, opaque pictures that a thread draws one after the other share a window: Mesa compiles
+/// its shaders and touches its buffers for the first time once. The window ends with the last of these.
+class SharedPictureWindow {
+ public:
+  SharedPictureWindow();
+  ~SharedPictureWindow();
+  SharedPictureWindow(const SharedPictureWindow&) = delete;
+  SharedPictureWindow& operator=(const SharedPictureWindow&) = delete;
+};
+
 /// A run in 3D for pictures, drawn in software without a display.
 class ScenePicture {
  public:

@@ -1,13 +1,14 @@
 #include "ui/scene/current_context.h"
 
-#include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkRenderer.h>
+
+#include "ui/scene/gl_render_window.h"
 
 namespace feedscope::ui {
 
 CurrentContext::CurrentContext(vtkRenderer& renderer) {
-  auto* window = vtkGenericOpenGLRenderWindow::SafeDownCast(renderer.GetRenderWindow());
-  if (window != nullptr && window->GetReadyForRendering() && !window->IsCurrent()) {
+  auto* window = dynamic_cast<GlRenderWindow*>(renderer.GetRenderWindow());
+  if (window != nullptr && window->has_drawn() && window->GetReadyForRendering() && !window->IsCurrent()) {
     window->MakeCurrent();
     made_current_ = window;
   }

@@ -1,6 +1,8 @@
 #include "ui/scene/gl_render_window.h"
 
+#include <vtkCommand.h>
 #include <vtkObjectFactory.h>
+#include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
 #include <vtkVersionMacros.h>
 #include <vtk_glew.h>
@@ -42,6 +44,27 @@ void GlRenderWindow::Start() {
   const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   const std::string_view renderer = name != nullptr ? name : "";
   software_ = renderer.starts_with("llvmpipe") || renderer.starts_with("softpipe");
+}
+
+void GlRenderWindow::Frame() {
+  if (!software_ || !this->SwapBuffers) {
+    vtkGenericOpenGLRenderWindow::Frame();
+    return;
+  }
+  // VTK smooths edges by a shader and copies depths, twice, which takes the processor longer than coarse
+  // paths.
+  vtkOpenGLState& state = *this->GetState();
+  state.PushFramebufferBindings();
+  this->RenderFramebuffer->Bind(GL_READ_FRAMEBUFFER);
+  this->RenderFramebuffer->ActivateReadBuffer(0);
+  this->DisplayFramebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+  this->DisplayFramebuffer->ActivateDrawBuffer(0);
+  state.vtkglDisable(GL_SCISSOR_TEST);
+  const int* size = this->GetSize();
+  state.vtkglBlitFramebuffer(0, 0, size[0], size[1], 0, 0, size[0], size[1], GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  state.PopFramebufferBindings();
+  this->BlitDisplayFramebuffer();
+  this->InvokeEvent(vtkCommand::WindowFrameEvent, nullptr);
 }
 
 }  // namespace feedscope::ui

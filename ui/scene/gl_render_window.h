@@ -12,6 +12,9 @@ class GlRenderWindow : public vtkGenericOpenGLRenderWindow {
 
   void OpenGLInitContext() override;
   void Start() override;
+  void Frame() override;
+  /// Whether it has drawn, so that VTK may have buffers in its context.
+  bool has_drawn() const { return this->Initialized; }
   /// Whether the context is Mesa's without a GPU; false before the first frame.
   bool draws_in_software() const { return software_; }
 

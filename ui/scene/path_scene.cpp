@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/units.h"
+#include "ui/scene/current_context.h"
 #include "ui/scene/path_scene_impl.h"
 #include "ui/scene/render_window.h"
 
@@ -22,7 +23,12 @@ void PathScene::attach(vtkRenderWindow& window) {
 }
 
 void PathScene::detach() {
+  const CurrentContext context(impl_->stage.middle());
   impl_->stage.detach();
+}
+
+void PathScene::lay_out() {
+  impl_->prepare();
 }
 
 void PathScene::on_change(std::function<void()> callback) {

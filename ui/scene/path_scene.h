@@ -37,6 +37,8 @@ class PathScene {
   /// Draws into `window` until detach() or the window's end; a scene has one window.
   void attach(vtkRenderWindow& window);
   void detach();
+  /// Brings what the next frame draws up to date, without drawing it.
+  void lay_out();
   /// Sets the function called after each change that needs a new frame.
   void on_change(std::function<void()> callback);
 

@@ -82,6 +82,19 @@ TEST(ScenePicture, ATransparentOneHasNothingBehindThePath) {
   EXPECT_GT(between, 100) << "edges are smooth";
 }
 
+TEST(ScenePicture, LooksTheSameInASharedWindowAfterAnotherPicture) {
+  const ReportInput input = test::two_runs();
+  const auto drawn = [&](ThemeKind theme, const QSizeF& size) {
+    return ScenePicture(input, 0, theme).image(size, {});
+  };
+  const QSizeF size(320, 200);
+  const QImage alone = drawn(ThemeKind::light, size);
+  const SharedPictureWindow window;
+  EXPECT_NE(drawn(ThemeKind::dark, {500, 300}).size(), alone.size());
+  EXPECT_EQ(drawn(ThemeKind::light, size), alone);
+  EXPECT_EQ(drawn(ThemeKind::light, size), alone);
+}
+
 TEST(ScenePicture, AnnotationsArePaintedOverTheViewAtEverySize) {
   ReportInput input = test::two_runs();
   PictureRequest request = request_of(PictureFormat::png, {600, 450});

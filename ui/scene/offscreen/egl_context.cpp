@@ -131,7 +131,7 @@ class EglContext : public OffscreenContext {
   EglContext& operator=(const EglContext&) = delete;
   ~EglContext() override { egl().destroy_context(display(), handle_); }
 
-  void make_current(int, int) override {
+  void make_current() override {
     if (!is_current()) {
       egl().bind_api(EGL_OPENGL_API);
       egl().make_current(display(), EGL_NO_SURFACE, EGL_NO_SURFACE, handle_);

@@ -10,9 +10,8 @@ class OffscreenContext {
  public:
   virtual ~OffscreenContext() = default;
 
-  /// Makes it current for this thread, with a default frame buffer, if any, of at least `width` x `height`
-  /// pixels.
-  virtual void make_current(int width, int height) = 0;
+  /// Makes it current for this thread. Its default frame buffer, if any, has one pixel: draw into others.
+  virtual void make_current() = 0;
   virtual void release() = 0;
   virtual bool is_current() const = 0;
 };

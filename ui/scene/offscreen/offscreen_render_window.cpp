@@ -1,6 +1,7 @@
 #include "ui/scene/offscreen/offscreen_render_window.h"
 
 #include <vtkObjectFactory.h>
+#include <vtkOpenGLFramebufferObject.h>
 #include <vtkVersionMacros.h>
 
 #include <algorithm>
@@ -20,6 +21,7 @@ OffscreenRenderWindow::OffscreenRenderWindow() {
   this->SetOwnContext(true);
   this->SetUseOffScreenBuffers(true);
   this->SetShowWindow(false);
+  this->SwapBuffersOff();
 }
 
 OffscreenRenderWindow::~OffscreenRenderWindow() {
@@ -30,10 +32,16 @@ OffscreenRenderWindow::~OffscreenRenderWindow() {
   }
 }
 
+void OffscreenRenderWindow::Start() {
+  GlRenderWindow::Start();
+  // Pictures are read from the frame buffer that VTK draws into; nothing shows or reads these copies of it.
+  this->DisplayFramebuffer->RemoveColorAttachments(2);
+  this->DisplayFramebuffer->RemoveDepthAttachment();
+  this->ResolveFramebuffer->RemoveDepthAttachment();
+}
+
 void OffscreenRenderWindow::MakeCurrent() {
-  constexpr int unset_size = 300;  // as in VTK's own windows
-  context_->make_current(this->Size[0] > 0 ? this->Size[0] : unset_size,
-                         this->Size[1] > 0 ? this->Size[1] : unset_size);
+  context_->make_current();
 }
 
 void OffscreenRenderWindow::ReleaseCurrent() {

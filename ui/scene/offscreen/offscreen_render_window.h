@@ -17,6 +17,7 @@ class OffscreenRenderWindow : public GlRenderWindow {
   /// Call once, before anything else.
   void use(std::unique_ptr<OffscreenContext> context) { context_ = std::move(context); }
 
+  void Start() override;
   void MakeCurrent() override;
   void ReleaseCurrent() override;
   bool IsCurrent() override;

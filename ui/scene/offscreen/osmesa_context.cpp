@@ -1,9 +1,7 @@
 #include "ui/scene/offscreen/osmesa_context.h"
 
 #include <array>
-#include <cstddef>
 #include <string>
-#include <vector>
 
 #include "core/base/error.h"
 #include "ui/scene/offscreen/shared_library.h"
@@ -133,12 +131,9 @@ class OsmesaContext : public OffscreenContext {
   OsmesaContext& operator=(const OsmesaContext&) = delete;
   ~OsmesaContext() override { osmesa().destroy(handle_); }
 
-  void make_current(int width, int height) override {
-    const std::size_t bytes =
-        std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    if (osmesa().current() != handle_ || pixels_.size() != bytes) {
-      pixels_.resize(bytes);
-      osmesa().make_current(handle_, pixels_.data(), osmesa_unsigned_byte, width, height);
+  void make_current() override {
+    if (osmesa().current() != handle_) {
+      osmesa().make_current(handle_, pixel_.data(), osmesa_unsigned_byte, 1, 1);
     }
     Vendor::instance().make_current();
   }
@@ -152,7 +147,7 @@ class OsmesaContext : public OffscreenContext {
 
  private:
   Handle handle_ = nullptr;
-  std::vector<unsigned char> pixels_;  // OSMesa's default frame buffer, RGBA
+  std::array<unsigned char, 4> pixel_{};  // OSMesa's default frame buffer, RGBA
 };
 
 }  // namespace
