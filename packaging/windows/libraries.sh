@@ -25,9 +25,9 @@ apt_sources() {
 }
 
 update_sources() {
+  mkdir -p "$cache"/{sources,work,done,licences} "$cache"/apt/{lists,cache/archives}/partial "$prefix"
   [[ -e $cache/apt/updated ]] && return
   say 'Source packages: reading the lists'
-  mkdir -p "$cache"/{sources,work,done,licences} "$cache"/apt/{lists,cache/archives}/partial "$prefix"
   local codename signed='[signed-by=/usr/share/keyrings/debian-archive-keyring.gpg]'
   codename=$(. /etc/os-release && echo "$VERSION_CODENAME")
   cat >"$cache/apt/sources.list" <<LIST
