@@ -66,7 +66,7 @@ cross() {
   shift
   cmake -G Ninja -S "$cache/work/$name/${in:-}" -B "$cache/work/$name-build" -DCMAKE_TOOLCHAIN_FILE="$toolchain" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_C_FLAGS_RELEASE='-O2 -DNDEBUG' -DCMAKE_CXX_FLAGS_RELEASE='-O2 -DNDEBUG' -DCMAKE_INSTALL_PREFIX="$prefix" -DCMAKE_PREFIX_PATH="$prefix" \
-    -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_SHARED_LIBS=OFF -DBUILD_TESTING=OFF "$@" >>"$log" 2>&1 &&
+    -DCMAKE_INSTALL_LIBDIR:STRING=lib -DBUILD_SHARED_LIBS=OFF -DBUILD_TESTING=OFF "$@" >>"$log" 2>&1 &&
     ninja -C "$cache/work/$name-build" -j "${FEEDSCOPE_JOBS:-$(nproc)}" | tee -a "$log" | progress "$name" &&
     cmake --install "$cache/work/$name-build" --strip >>"$log" 2>&1
 }
