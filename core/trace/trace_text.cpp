@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/this_process.h"
 
 namespace feedscope {
 namespace {
@@ -28,7 +29,7 @@ TraceText::TraceText(const std::filesystem::path& file, Progress* progress)
     throw InputError(message(NC_("core", "'{}' is a folder; give a trace"), file.string()));
   }
   errno = 0;
-  file_->handle = gzopen(file.c_str(), "rb");
+  file_->handle = gzdopen(descriptor_to_read(file), "rb");
   if (file_->handle == nullptr) {
     throw InputError(
         message(NC_("core", "cannot read trace '{}': {}"), file.string(),
