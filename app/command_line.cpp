@@ -175,10 +175,9 @@ int run_checked(std::span<char*> arguments) {
       add_simulate_command(app), add_explain_command(app),  add_compare_command(app),
       add_check_command(app),    add_circular_command(app), add_machines_command(app),
       add_models_command(app),   add_lessons_command(app),  add_trace_command(app),
-      add_identify_command(app), add_help_command(app)};
+      add_identify_command(app), add_help_command(app),     add_render_command(app),
+      add_report_command(app)};
 #ifdef FEEDSCOPE_WITH_UI
-  commands.push_back(add_render_command(app));
-  commands.push_back(add_report_command(app));
   commands.push_back(add_window_command(app));
   app.require_subcommand(0, 1);
 #else

@@ -16,9 +16,9 @@ Command add_explain_command(CLI::App& app);
 Command add_compare_command(CLI::App& app);
 Command add_check_command(CLI::App& app);
 Command add_circular_command(CLI::App& app);
-Command add_render_command(CLI::App& app);  ///< if built with pictures (FEEDSCOPE_UI)
-Command add_report_command(CLI::App& app);  ///< if built with pictures
-Command add_window_command(CLI::App& app);  ///< the program without a command
+Command add_render_command(CLI::App& app);  ///< refuses in a build without pictures, as the next one
+Command add_report_command(CLI::App& app);
+Command add_window_command(CLI::App& app);  ///< the program without a command; not without pictures
 Command add_machines_command(CLI::App& app);
 Command add_models_command(CLI::App& app);
 Command add_help_command(CLI::App& app);

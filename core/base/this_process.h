@@ -30,6 +30,9 @@ bool may_write(const std::filesystem::path& file);
 
 /// As std::fopen(file, "rb").
 std::FILE* open_to_read(const std::filesystem::path& file);
+/// The same as a descriptor, for libraries that read files; negative if it cannot be opened, for the reason
+/// in errno.
+int descriptor_to_read(const std::filesystem::path& file);
 
 /// Flushes a file to the disk, so that it is whole after a power cut. Returns 0, or the errno of the failure;
 /// 0 also where the file system cannot, or the user may not open the file.

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/this_process.h"
 
 namespace feedscope {
 namespace {
@@ -28,7 +29,7 @@ TraceText::TraceText(const std::filesystem::path& file, Progress* progress)
     throw InputError(message(NC_("core", "'{}' is a folder; give a trace"), file.string()));
   }
   errno = 0;
-  file_->handle = gzopen(file.c_str(), "rb");
+  file_->handle = gzdopen(descriptor_to_read(file), "rb");
   if (file_->handle == nullptr) {
     throw InputError(
         message(NC_("core", "cannot read trace '{}': {}"), file.string(),
@@ -59,8 +60,10 @@ bool TraceText::fill() {
     const int got = gzread(file_->handle, buffer_.data() + kept, static_cast<unsigned>(piece));
     if (got < 0) {
       int code = 0;
+      const std::string_view text = gzerror(file_->handle, &code);  // "<fd:3>: invalid distance code"
+      const std::size_t mark = text.starts_with("<fd:") ? text.find(": ") : std::string_view::npos;
       throw InputError(message(NC_("core", "cannot read trace '{}': {}"), name_,
-                               std::string(gzerror(file_->handle, &code))));
+                               text.substr(mark == std::string_view::npos ? 0 : mark + 2)));
     }
     buffer_.resize(kept + static_cast<std::size_t>(got));
     if (progress_ != nullptr && file_->size > 0) {

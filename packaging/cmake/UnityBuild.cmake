@@ -1,6 +1,7 @@
 # The sources of a program, or of a stage of core or ui, compiled as one or a few, so that a build from bare takes less
 # than half the time; a change of one file compiles its group again. Names in anonymous namespaces are therefore unique in
 # a stage; a test whose helpers have the names of another's has SKIP_UNITY_BUILD_INCLUSION.
+# Sources in folders "windows" stay alone, for the many names in the headers of that system.
 # CMake's own unity builds include sources by their absolute path, which makes a compiler cache miss in another clone.
 option(FEEDSCOPE_UNITY "Compile the sources of a folder together" OFF)
 set(FEEDSCOPE_UNITY_SOURCES 24 CACHE STRING "How many sources are compiled together at most")
@@ -15,8 +16,8 @@ function(feedscope_unity target)
     if(source MATCHES "\\.cpp$")
       cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${source_dir} NORMALIZE)
       get_property(alone SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY SKIP_UNITY_BUILD_INCLUSION)
-      if(NOT alone)
-        cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE relative)
+      cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE relative)
+      if(NOT alone AND NOT relative MATCHES "/windows/")
         string(REGEX MATCH "^(core|ui)/[^/]+|^[^/]+" folder ${relative})
         string(MAKE_C_IDENTIFIER "${folder}" folder)
         list(APPEND sources_${folder} ${relative})

@@ -13,8 +13,7 @@ readonly toolchain=$project_dir/packaging/windows/toolchain.cmake
 
 # In the order in which they are built. Header files alone are copied from Debian's packages.
 readonly core_libraries=(headers expat fmtlib cmark nlopt onetbb)
-readonly picture_libraries=(qt6-base double-conversion lz4 xz-utils libpng1.6 libjpeg-turbo tiff freetype glew pugixml vtk9 qpdf)
-readonly window_libraries=(qt6-svg qt6-charts)
+readonly picture_libraries=(double-conversion lz4 xz-utils libpng1.6 libjpeg-turbo tiff freetype glew pugixml qt6-base vtk9 qpdf)
 
 # apt_sources get|cache ARGUMENT...: apt-get and apt-cache with source packages, without a change of the system's own lists.
 apt_sources() {
@@ -25,9 +24,9 @@ apt_sources() {
 }
 
 update_sources() {
+  mkdir -p "$cache"/{sources,work,done,licences} "$cache"/apt/{lists,cache/archives}/partial "$prefix"
   [[ -e $cache/apt/updated ]] && return
   say 'Source packages: reading the lists'
-  mkdir -p "$cache"/{sources,work,done,licences} "$cache"/apt/{lists,cache/archives}/partial "$prefix"
   local codename signed='[signed-by=/usr/share/keyrings/debian-archive-keyring.gpg]'
   codename=$(. /etc/os-release && echo "$VERSION_CODENAME")
   cat >"$cache/apt/sources.list" <<LIST
@@ -66,7 +65,7 @@ cross() {
   shift
   cmake -G Ninja -S "$cache/work/$name/${in:-}" -B "$cache/work/$name-build" -DCMAKE_TOOLCHAIN_FILE="$toolchain" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_C_FLAGS_RELEASE='-O2 -DNDEBUG' -DCMAKE_CXX_FLAGS_RELEASE='-O2 -DNDEBUG' -DCMAKE_INSTALL_PREFIX="$prefix" -DCMAKE_PREFIX_PATH="$prefix" \
-    -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_SHARED_LIBS=OFF -DBUILD_TESTING=OFF "$@" >>"$log" 2>&1 &&
+    -DCMAKE_INSTALL_LIBDIR:STRING=lib -DBUILD_SHARED_LIBS=OFF -DBUILD_TESTING=OFF "$@" >>"$log" 2>&1 &&
     ninja -C "$cache/work/$name-build" -j "${FEEDSCOPE_JOBS:-$(nproc)}" | tee -a "$log" | progress "$name" &&
     cmake --install "$cache/work/$name-build" --strip >>"$log" 2>&1
 }
@@ -142,13 +141,16 @@ build_cmark() { cross cmark -DCMARK_TESTS=OFF -DCMARK_SHARED=OFF -DCMARK_STATIC=
 build_nlopt() { cross nlopt -DNLOPT_PYTHON=OFF -DNLOPT_OCTAVE=OFF -DNLOPT_MATLAB=OFF -DNLOPT_GUILE=OFF -DNLOPT_SWIG=OFF -DNLOPT_TESTS=OFF; }
 build_onetbb() { cross onetbb -DTBB_TEST=OFF -DTBBMALLOC_BUILD=OFF -DTBB_STRICT=OFF; }
 
+# Static, as the rest; zlib, PNG, JPEG, FreeType and double-conversion are those of the prefix, which VTK has too.
 build_qt6_base() {
-  local off feature=()
-  for off in sql network dbus testlib xml icu fontconfig system_zlib system_png system_jpeg system_freetype system_harfbuzz system_pcre2 \
-    system_doubleconversion zstd tabletevent androiddeployqt vulkan; do
-    feature+=("-DFEATURE_$off=OFF")
+  local name feature=()
+  for name in sql network dbus testlib xml icu fontconfig glib system_harfbuzz system_pcre2 zstd tabletevent vulkan; do
+    feature+=("-DFEATURE_$name=OFF")
   done
-  cross qt6-base -DBUILD_SHARED_LIBS=ON -DQT_HOST_PATH=/usr -DQT_HOST_PATH_CMAKE_DIR=/usr/lib/x86_64-linux-gnu/cmake -DQT_QMAKE_TARGET_MKSPEC=win32-g++ \
+  for name in zlib png jpeg freetype doubleconversion; do
+    feature+=("-DFEATURE_system_$name=ON")
+  done
+  cross qt6-base -DQT_HOST_PATH=/usr -DQT_HOST_PATH_CMAKE_DIR=/usr/lib/x86_64-linux-gnu/cmake -DQT_QMAKE_TARGET_MKSPEC=win32-g++ \
     -DQT_BUILD_TESTS=OFF -DQT_BUILD_EXAMPLES=OFF -DINPUT_opengl=desktop -DFEATURE_pkg_config=OFF "${feature[@]}"
 }
 
@@ -173,12 +175,9 @@ build_vtk9() {
     RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI; do
     enabled+=("-DVTK_MODULE_ENABLE_VTK_$module=YES")
   done
-  for module in Imaging MPI Qt Rendering StandAlone Views Web; do
-    enabled+=("-DVTK_GROUP_ENABLE_$module=NO")
+  for module in Imaging MPI Qt Rendering StandAlone Views; do
+    enabled+=("-DVTK_GROUP_ENABLE_$module=DONT_WANT")
   done
   cross vtk9 -DVTK_ENABLE_WRAPPING=OFF -DVTK_BUILD_TESTING=OFF -DVTK_BUILD_EXAMPLES=OFF -DVTK_BUILD_ALL_MODULES=OFF -DVTK_ENABLE_LOGGING=OFF \
-    -DVTK_ENABLE_REMOTE_MODULES=OFF -DVTK_SMP_IMPLEMENTATION_TYPE=Sequential -DVTK_INSTALL_SDK=ON "${own[@]}" "${enabled[@]}"
+    -DVTK_REQUIRE_LARGE_FILE_SUPPORT=1 -DVTK_ENABLE_REMOTE_MODULES=OFF -DVTK_SMP_IMPLEMENTATION_TYPE=Sequential -DVTK_INSTALL_SDK=ON "${own[@]}" "${enabled[@]}"
 }
-
-build_qt6_svg() { cross qt6-svg -DBUILD_SHARED_LIBS=ON -DQT_HOST_PATH=/usr -DQT_HOST_PATH_CMAKE_DIR=/usr/lib/x86_64-linux-gnu/cmake; }
-build_qt6_charts() { cross qt6-charts -DBUILD_SHARED_LIBS=ON -DQT_HOST_PATH=/usr -DQT_HOST_PATH_CMAKE_DIR=/usr/lib/x86_64-linux-gnu/cmake; }

@@ -13,6 +13,8 @@ set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
 # Windows 10 is the oldest system of Qt 6.
 add_compile_definitions(_WIN32_WINNT=0x0A00 WINVER=0x0A00)
+# Headers that expect a DLL otherwise.
+add_compile_definitions(CMARK_STATIC_DEFINE XML_STATIC)
 # The compiler's own libraries become part of each program and DLL.
 foreach(kind EXE SHARED MODULE)
   set(CMAKE_${kind}_LINKER_FLAGS_INIT -static)

@@ -421,6 +421,13 @@ TEST_F(CommandLine, NamesAWordThatIsNeitherCommandNorFile) {
   expect_wrong_use("simulat corner.nc", "unknown command 'simulat'; did you mean 'simulate'?");
   expect_wrong_use("corner.nc other.nc", "unexpected argument 'other.nc'");
 }
+#else
+TEST_F(CommandLine, RefusesToDrawInABuildWithoutPictures) {
+  for (const std::string command : {"render", "report"}) {
+    expect_wrong_use(command + " corner.nc --out corner.pdf",
+                     "'" + command + "' needs pictures, which this build");
+  }
+}
 #endif
 
 /// A tolerance of the program is the one that every output tells.

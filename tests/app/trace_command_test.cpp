@@ -155,6 +155,9 @@ TEST_F(TraceCommand, RefusesWhatItCannotRead) {
   expect_wrong_use("trace none.csv", "cannot read trace 'none.csv'");
   expect_wrong_use("trace corner.nc", "'corner.nc' is no trace");
   expect_wrong_use("trace .", "is a folder");
+  using namespace std::string_literals;
+  write("broken.csv.gz", "\x1f\x8b\x08\0\0\0\0\0\0\x03\xff\xff\xff"s);
+  expect_wrong_use("trace broken.csv.gz", "cannot read trace 'broken.csv.gz': invalid block type");
   expect_wrong_use("trace trace.csv --columns q=1", "unknown key 'q'");
   expect_wrong_use("trace trace.csv --json trace.csv", "trace.csv");
 }

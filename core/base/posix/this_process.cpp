@@ -56,6 +56,10 @@ std::FILE* open_to_read(const fs::path& file) {
   return std::fopen(file.c_str(), "rb");
 }
 
+int descriptor_to_read(const fs::path& file) {
+  return open(file.c_str(), O_RDONLY | O_CLOEXEC);
+}
+
 int flush_to_disk(const fs::path& file) {
   const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) {

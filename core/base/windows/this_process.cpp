@@ -83,6 +83,10 @@ std::FILE* open_to_read(const fs::path& file) {
   return _wfopen(file.c_str(), L"rb");
 }
 
+int descriptor_to_read(const fs::path& file) {
+  return _wopen(file.c_str(), _O_RDONLY | _O_BINARY);
+}
+
 int flush_to_disk(const fs::path& file) {
   const int descriptor = _wopen(file.c_str(), _O_RDWR | _O_BINARY);
   if (descriptor < 0) {

@@ -1,9 +1,9 @@
 #include "core/machine/import/section_file.h"
 
 #include <fmt/format.h>
-#include <fnmatch.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/machine/file_text.h"
@@ -22,13 +22,62 @@ bool has_wildcards(const std::string& pattern) {
   return pattern.find_first_of("*?[") != std::string::npos;
 }
 
+/// Removes the first element of a pattern, a character, `?` or a set such as `[a-z]` or `[!0-9]`; returns
+/// whether `c` matches it.
+bool match_element(std::string_view& pattern, char c) {
+  const std::size_t end =
+      pattern.front() == '[' ? pattern.find(']', pattern.starts_with("[!") ? 3 : 2) : std::string_view::npos;
+  if (end == std::string_view::npos) {
+    const char own = pattern.front();
+    pattern.remove_prefix(1);
+    return own == '?' || own == c;
+  }
+  std::string_view set = pattern.substr(1, end - 1);
+  pattern.remove_prefix(end + 1);
+  const bool inverted = set.front() == '!';
+  set.remove_prefix(inverted ? 1 : 0);
+  bool inside = false;
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    const bool range = i + 2 < set.size() && set[i + 1] == '-';
+    inside = inside || (set[i] <= c && c <= set[range ? i + 2 : i]);
+    i += range ? 2 : 0;
+  }
+  return inside != inverted;
+}
+
+/// Whether a file's name matches a pattern, as for Klipper: a hidden file does only if the pattern begins
+/// with its point.
+bool matches(std::string_view pattern, std::string_view name) {
+  if (name.starts_with('.') && !pattern.starts_with('.')) {
+    return false;
+  }
+  std::string_view after_star;
+  std::optional<std::string_view> retry;  // the part of the name that the latest star has not taken
+  while (!name.empty()) {
+    if (pattern.starts_with('*')) {
+      pattern.remove_prefix(1);
+      after_star = pattern;
+      retry = name;
+    } else if (!pattern.empty() && match_element(pattern, name.front())) {
+      name.remove_prefix(1);
+    } else if (retry) {
+      retry->remove_prefix(1);
+      name = *retry;
+      pattern = after_star;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*') == std::string_view::npos;
+}
+
 /// Files that match the last part of a pattern, sorted.
 std::vector<fs::path> matching_files(const fs::path& pattern) {
   std::vector<fs::path> files;
   const std::string name = pattern.filename().string();
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(pattern.parent_path(), ignored)) {
-    if (fnmatch(name.c_str(), entry.path().filename().c_str(), FNM_PERIOD) == 0) {
+    if (matches(name, entry.path().filename().string())) {
       files.push_back(entry.path());
     }
   }

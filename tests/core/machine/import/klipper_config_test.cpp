@@ -4,7 +4,9 @@
 namespace feedscope {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
@@ -83,6 +85,32 @@ TEST_F(KlipperConfig, LaterFilesReplaceEarlierValues) {
       said, HasSubstr("tuned/a.cfg:2: warning: [printer] max_accel = 6000, but 5000 in printer.cfg, line 6; "
                       "6000 is used"));
   EXPECT_THAT(said, HasSubstr("more.cfg:2: warning: 'max_nothing' is neither a section nor a value"));
+}
+
+TEST_F(KlipperConfig, IncludesTheFilesThatMatchAPattern) {
+  const std::vector<std::string> files{".a1.cfg", "a1.cfg", "a2.cfg", "a22.cfg", "b.cfg", "b[.cfg"};
+  for (const std::string& name : files) {
+    write("parts/" + name, "max_nothing\n");
+  }
+  const auto included = [&](const std::string& pattern) {
+    write("printer.cfg", std::string(printer_cfg) + "[include parts/" + pattern + "]\n");
+    const std::string said = notes(import_file("printer.cfg"), "printer.cfg");
+    std::vector<std::string> found;
+    std::ranges::copy_if(files, std::back_inserter(found), [&](const std::string& name) {
+      return said.find("parts/" + name + ":1: warning") != std::string::npos;
+    });
+    return found;
+  };
+  EXPECT_THAT(included("*"), ElementsAre("a1.cfg", "a2.cfg", "a22.cfg", "b.cfg", "b[.cfg"));
+  EXPECT_THAT(included("a?.cfg"), ElementsAre("a1.cfg", "a2.cfg"));
+  EXPECT_THAT(included("*2*.c*g"), ElementsAre("a2.cfg", "a22.cfg"));
+  EXPECT_THAT(included("*2.cfg"), ElementsAre("a2.cfg", "a22.cfg"));
+  EXPECT_THAT(included("a[2-9]*"), ElementsAre("a2.cfg", "a22.cfg"));
+  EXPECT_THAT(included("[!b]*"), ElementsAre("a1.cfg", "a2.cfg", "a22.cfg"));
+  EXPECT_THAT(included("?[[]*"), ElementsAre("b[.cfg"));
+  EXPECT_THAT(included("b[.*"), ElementsAre("b[.cfg"));
+  EXPECT_THAT(included(".*"), ElementsAre(".a1.cfg"));
+  EXPECT_THAT(included("?.*x"), IsEmpty());
 }
 
 TEST_F(KlipperConfig, ReadsWhatSaveConfigWrites) {
