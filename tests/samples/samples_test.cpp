@@ -7,8 +7,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <set>
 
+#include "core/analysis/notes/remarks.h"
+#include "core/analysis/run/control_dialect.h"
 #include "tests/samples/essid.h"
 #include "tests/samples/nc_writer.h"
 #include "tests/support/folders.h"
@@ -56,6 +59,24 @@ TEST(Samples, EachIsExplainedInTheFoldersReadme) {
   }
   for (const std::string& name : by_hand) {
     EXPECT_THAT(readme, testing::HasSubstr("`" + name + "`"));
+  }
+}
+
+/// A newcomer reads results, not warnings; events without a time are a row of the figures.
+TEST(Samples, AFirstSimulationHasAtMostTwoRemarks) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".md") {
+      continue;
+    }
+    const auto source = std::make_shared<const SourceText>(SourceText::from_file(entry.path()));
+    const auto dialect = load_program(source).program->dialect;
+    const auto setup = make_setup({.machine = default_machine_of(dialect), .dialect = dialect});
+    const auto run = simulate_run(load_program(source, nullptr, reading_on({}, setup.machine)), setup);
+    EXPECT_LE(
+        std::ranges::count_if(
+            remarks(run), [](const Remark& remark) { return remark.about != Remark::About::not_counted; }),
+        2)
+        << entry.path();
   }
 }
 

@@ -204,7 +204,7 @@ TEST(ChordError, IsAMessageOfTheProgramWithHeidenhainsAdvice) {
 TEST(ChordError, IsRemarkedOfRunsWhoseToleranceIsTighterThanAdvised) {
   const LoadedProgram program = loaded(circle_program(""));
   const auto said = [&](const char* model, std::optional<double> tolerance, UnitSystem units) {
-    const Run run = simulate_run(program, make_setup({"spinner-mvc850", model, tolerance}));
+    const auto run = simulate_run(program, make_setup({"spinner-mvc850", model, tolerance}));
     return in_english(texts_about(remarks(run, units), {Remark::About::time}));
   };
   EXPECT_THAT(

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "core/analysis/explanation/explanation.h"
 #include "core/analysis/notes/remarks.h"
 #include "core/analysis/run/run.h"
 #include "core/export/export.h"
@@ -242,6 +243,28 @@ TEST(LinuxCncModel, RoundsCornersBetweenRapidsAsRapids) {
 
 TEST(LinuxCncModel, RoundsNothingUnderAnExactStop) {
   EXPECT_EQ(run("G21 G90 G61\nG1 X20 F3000\nY20\nM2\n").blend_count(), 0U);
+}
+
+/// An arc that the control puts into a corner of rapids has a direction at each place, not one as a line.
+TEST(LinuxCncModel, ExplainsTheVelocityInACornerByTheArcThere) {
+  const struct Setup setup = make_setup({.machine = "klipper-corexy", .model = "linuxcnc"});
+  const auto text =
+      std::make_shared<const SourceText>("test.ngc", "G21 G90 G64\nG0 X-70 Y-70 Z20\nG0 Z2\nG0 X0\nM2\n");
+  const auto run = simulate_run(load_program(text), setup);
+  const Trajectory& motion = *run.trajectory;
+  int on_arcs = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const State state = motion.state(motion.duration() * (i + 0.5) / 4000);
+    const Formula formula = explain(run, state).reason.formula;
+    if (formula.id != FormulaId::axis_velocity || !motion.path().curve(state.element).is_arc()) {
+      continue;
+    }
+    ++on_arcs;
+    const double part = formula.find(Symbol::tangent_part)->value;
+    EXPECT_GT(part, 0.01) << state.time;
+    EXPECT_LE(part, 1 + 1e-9) << state.time;
+  }
+  EXPECT_GT(on_arcs, 0);
 }
 
 /// A run says what of the control its model has not: rotary axes that turn alone, and waits for coolant.
