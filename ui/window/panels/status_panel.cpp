@@ -87,7 +87,14 @@ void StatusPanel::cancel() {
 
 void StatusPanel::show_activity(const QString& activity, double fraction) {
   activity_->setText(activity);
+  show_progress(fraction);
+}
+
+/// A visible bar with updates would paint at once all that waits in the window, the 3D view too.
+void StatusPanel::show_progress(double fraction) {
+  progress_->setUpdatesEnabled(false);
   progress_->setValue(static_cast<int>(fraction * progress_steps));
+  progress_->setUpdatesEnabled(true);
 }
 
 void StatusPanel::show_comparison() {
@@ -105,7 +112,7 @@ void StatusPanel::show_comparison() {
 
 void StatusPanel::show_busy() {
   const bool busy = workbench_.busy() || comparison_.busy();
-  progress_->setValue(0);
+  show_progress(0);
   activity_->clear();
   activity_->setVisible(busy);
   progress_->setVisible(busy);

@@ -32,6 +32,7 @@ class StatusPanel : public QWidget {
   void keep_height();
   void show_busy();
   void show_activity(const QString& activity, double fraction);
+  void show_progress(double fraction);
   void show_comparison();
   void show_cursor();
   void count_diagnostics();
