@@ -334,6 +334,28 @@ TEST_F(SideBySideTest, TheFirstViewStaysAsItIsWhenASecondOneComes) {
   }
 }
 
+TEST_F(SideBySideTest, ProgressPaintsNothingElseAtOnce) {
+  struct Paints : QObject {
+    int count = 0;
+    bool eventFilter(QObject* watched, QEvent* event) override {
+      count += event->type() == QEvent::Paint ? 1 : 0;
+      return QObject::eventFilter(watched, event);
+    }
+  } paints;
+  QWidget& canvas = window.scene().canvas();
+  canvas.installEventFilter(&paints);
+  SceneState look = window.scene().state();
+  look.colouring = Colouring::time_lost;
+  window.scene().set_state(look);
+  ASSERT_TRUE(views.comparison().busy());
+  emit views.comparison().progressed();
+  canvas.update();
+  emit model.progressed("Simulating", 0.5);
+  EXPECT_EQ(paints.count, 0);
+  wait_for_comparison();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return paints.count > 0; }));
+}
+
 TEST_F(SideBySideTest, EscGivesUpTheComparisonAndTheColoursShowTheFeedAgain) {
   const auto status = [&] {
     const auto* panel = window.findChild<StatusPanel*>();
