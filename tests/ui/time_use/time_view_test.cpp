@@ -152,7 +152,7 @@ TEST_F(TimeViewTest, SaysHowManyLinesAreNotInItsTimes) {
   set_run(test::simulate_text("G21 G90\nG1 X10 F1000\nG1 X200 H1\nX10\n", "grbl", "grbl-router"));
   ASSERT_TRUE(finishes());
   EXPECT_THAT(view.conclusion().toStdString(),
-              AllOf(HasSubstr("programmed"), HasSubstr("not in these times: 3.")));
+              AllOf(HasSubstr("programmed"), HasSubstr("and not run (line 3).")));
 }
 
 TEST_F(TimeViewTest, LongNamesStandInSeveralLinesWhereThePanelIsNarrow) {

@@ -505,7 +505,7 @@ TEST_F(MainWindowTest, ALessonSetsUpTheWindowAndLeadsToItsControl) {
       QTest::qWaitFor([&] { return !model.busy() && lesson.measured().contains("0.767 s"); }, patience))
       << lesson.measured().toStdString();
   EXPECT_EQ(model.file().filename(), "lesson_lines.nc");
-  EXPECT_EQ(model.runs().items().size(), 3U);
+  EXPECT_EQ(model.runs().items().size(), 4U);
   for (const Vec3& end : {Vec3(0, 0, 0), Vec3(100, 0, 0)}) {
     EXPECT_TRUE(scene_canvas()->rect().contains(point_in_scene(end))) << "the path of the lesson is in view";
   }
