@@ -596,6 +596,7 @@ void LessonView::show_control() {
 }
 
 void LessonView::try_own_value() {
+  own_value_->interpretText();  // a button without focus does not end typing
   desk_.move_control(
       QLocale::c().toString(own_value_->value(), 'g', QLocale::FloatingPointShortest).toStdString());
 }

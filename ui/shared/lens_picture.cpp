@@ -28,10 +28,12 @@ double round_down_125(double value) {
   return power * (value >= 5 * power ? 5 : value >= 2 * power ? 2 : 1);
 }
 
-/// Three significant digits, never with an exponent.
+/// Two or three significant digits, never with an exponent.
 QString factor_text(double factor) {
-  const double last = std::pow(10, std::max(0.0, std::floor(std::log10(factor)) - 2));
-  return QLocale().toString(last * std::round(factor / last), 'f', factor < 10 ? 1 : 0);
+  const double power = std::floor(std::log10(factor));
+  const double last = std::pow(10, power - (factor < 100 ? 1 : 2));
+  return QLocale().toString(last * std::round(factor / last), 'f',
+                            static_cast<int>(std::clamp(1 - power, 0.0, 9.0)));
 }
 
 QFont font_of(QFont font, double pixels, bool bold = false) {
@@ -108,7 +110,7 @@ void LensPicture::draw_title(QPainter& painter, const View& view) const {
     return inner.width() - metrics.horizontalAdvance(text) - margin / 2 * scale_;
   };
   const QString line = tr("line %1").arg(lens_.line);
-  const QString factor = factor_text(lens_.stretch());
+  const QString factor = factor_text(view.across / view.along);
   QString stretch = lens_.deviates ? tr("across × %1").arg(factor) : tr("no deviation");
   if (lens_.deviates && metrics.horizontalAdvance(line) > room_beside(stretch)) {
     stretch = QStringLiteral("× %1").arg(factor);

@@ -35,6 +35,7 @@ struct Lens {
   std::vector<LensRun> runs;
   bool deviates = false;  ///< a run leaves the programmed path there by at least least_deviation
 
+  /// How many times larger lengths across are than along, in a square picture.
   double stretch() const { return width / height; }
   LensPoint seen(const Vec3& position) const {
     return {(position - centre).dot(along), (position - centre).dot(across)};

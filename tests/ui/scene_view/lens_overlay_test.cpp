@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QPainter>
 #include <QTest>
 
+#include "tests/ui/report/recorded_text.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/scene_view/side_by_side.h"
 #include "ui/window/main_window.h"
@@ -87,6 +89,25 @@ TEST_F(LensOverlayTest, LiesInACornerOfTheViewAndGrowsThereByAClick) {
   lens.action()->trigger();
   ASSERT_TRUE(lens.isVisible());
   EXPECT_TRUE(window.scene().canvas().geometry().contains(lens.geometry()));
+}
+
+/// A picture is rarely square, and its title takes a part of it.
+TEST_F(LensOverlayTest, SaysHowMuchThePictureStretches) {
+  Lens flat;
+  flat.along = Vec3::UnitX();
+  flat.across = Vec3::UnitY();
+  flat.width = 2;
+  flat.height = 1;
+  flat.deviates = true;
+  const auto texts = [&](const QSizeF& size) {
+    feedscope::test::RecordedText paper;
+    QPainter painter(&paper);
+    LensPicture(flat, {}, 1).paint(painter, QRectF(QPointF(), size), QApplication::palette());
+    return paper.texts();
+  };
+  EXPECT_TRUE(texts({400, 223}).contains("across × 1.0")) << texts({400, 223}).join('|').toStdString();
+  EXPECT_TRUE(texts({400, 423}).contains("across × 2.0"));
+  EXPECT_TRUE(texts({800, 223}).contains("across × 0.50"));
 }
 
 }  // namespace
