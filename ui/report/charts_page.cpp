@@ -17,7 +17,7 @@ namespace feedscope::ui {
 
 namespace {
 
-/// `name`: of the run beside others; empty: it is the only one.
+/// `name`: of one run of several; empty: it is the only one.
 QString title_of(const Run& run, const QString& name = {}) {
   const QString file = program_file_name(*run.input.program);
   const QString time = clock_text(run.trajectory->duration());

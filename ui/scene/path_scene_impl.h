@@ -174,9 +174,9 @@ class PathScene::Impl : public ScenePaths {
       });
     }
     // Width of lines, mark of the start; less in a small picture, none in a tiny one [pixels].
-    const double beside = std::clamp(0.01 * (std::min(stage.width(), stage.height()) - 120), 0.0, 6 * scale);
+    const double margin = std::clamp(0.01 * (std::min(stage.width(), stage.height()) - 120), 0.0, 6 * scale);
     std::vector<ScreenRectangle> taken = covered();
-    std::ranges::transform(taken, taken.begin(), [&](const auto& place) { return place.grown(beside); });
+    std::ranges::transform(taken, taken.begin(), [&](const auto& place) { return place.grown(margin); });
     camera.fit(stage.width(), stage.height(), room(), taken, [&](const Projection& view) {
       std::vector<Vec2> outline;
       if (axes) {

@@ -120,11 +120,11 @@ StopReason Explainer::stop_reason(const State& state) const {
     return StopReason::end;
   }
   const std::size_t before = path.segment(at_start ? element - 1 : element);
-  const std::size_t behind = path.segment(at_start ? element : element + 1);
+  const std::size_t after = path.segment(at_start ? element : element + 1);
   const Toolpath& toolpath = *path.programmed();
   const Segment& a = toolpath.segments[before];
-  const Segment& b = toolpath.segments[behind];
-  if (before == behind || a.kind == SegmentKind::dwell || b.kind == SegmentKind::dwell) {
+  const Segment& b = toolpath.segments[after];
+  if (before == after || a.kind == SegmentKind::dwell || b.kind == SegmentKind::dwell) {
     return StopReason::unknown;
   }
   if (a.rapid || b.rapid) {

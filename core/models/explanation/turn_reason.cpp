@@ -130,8 +130,8 @@ Reason TurnReasons::on_ramp(const State& state, Cause cause) const {
   look_around(state.element, farthest_of_ramp, path.size(), [&](std::uint32_t element) {
     const double shorter = shortening(path, element);
     const std::size_t segment = path.segment(element);
-    const std::size_t behind = std::min(segment + 2, programmed.segments.size());
-    for (std::size_t i = segment; i < behind && best.formula.empty(); ++i) {
+    const std::size_t end = std::min(segment + 2, programmed.segments.size());
+    for (std::size_t i = segment; i < end && best.formula.empty(); ++i) {
       if (const SegmentTurn* turn = programmed.segment_turn(i)) {
         const TurnPart* part = part_near(path, element, i);
         const TurnRamp& ramp = part != nullptr ? part->ramp : turn->ramp;
@@ -139,7 +139,7 @@ Reason TurnReasons::on_ramp(const State& state, Cause cause) const {
         consider(shortened(ramp, shorter), turn->tilt, i, fastest_on(i, limit) / shorter);
       }
     }
-    for (std::size_t i = segment > 0 ? segment - 1 : 0; i < behind && best.formula.empty(); ++i) {
+    for (std::size_t i = segment > 0 ? segment - 1 : 0; i < end && best.formula.empty(); ++i) {
       if (const TurnJoint* joint = programmed.turn_joint(i)) {
         consider(shortened(joint->ramp, shorter), joint->tilt, i,
                  fastest_on(i, joint->limit.speed) / shorter);
