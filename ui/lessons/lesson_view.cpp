@@ -137,8 +137,9 @@ LessonView::LessonView(LessonDesk& desk, QWidget* parent)
   lay_out();
   offer_return(false);
 
-  connect(list_, &QTextBrowser::anchorClicked, this,
-          [this](const QUrl& link) { desk_.open(desk_.entries()[link.path().toULongLong()].file); });
+  connect(list_, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) {
+    desk_.open(desk_.entries()[link.path().toULongLong()].file, !desk_.unlocked());
+  });
   connect(show_setting_, &QToolButton::clicked, this, [this] {
     emit setting_wanted(QString::fromStdString(desk_.lesson()->questions[desk_.question()].control.key));
   });

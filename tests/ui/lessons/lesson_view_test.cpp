@@ -344,6 +344,22 @@ TEST_F(LessonViewTest, AValueOfOnesOwnIsTriedAsTheSuggestedOnes) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 2; }, patience));
   EXPECT_EQ(view.tries().item(1, 0)->text(), "2.5");
   EXPECT_EQ(field->text(), "2.5\u00a0ms") << "without zeros after it";
+  field->selectAll();
+  QTest::keyClicks(field, "4");
+  QTest::mouseClick(view.own_value().parentWidget()->findChild<QToolButton*>(), Qt::LeftButton);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 3; }, patience));
+  EXPECT_EQ(view.tries().item(2, 0)->text(), "4") << "typed without Enter";
+}
+
+TEST_F(LessonViewTest, ALessonOfTheListClosesWhatWasShownWhileItAsksForAPrediction) {
+  choose_lesson(6);
+  click(&view.set_up_button());
+  wait_for("3000 mm/min");
+  ASSERT_NE(model.program(), nullptr);
+  desk.unlock(false);
+  choose_lesson(2);
+  EXPECT_TRUE(desk.awaits_prediction());
+  EXPECT_EQ(model.program(), nullptr) << "a run of another lesson";
 }
 
 /// A run with other changes than the question's is no try of it.
