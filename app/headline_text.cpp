@@ -39,7 +39,7 @@ std::string only_text(OnlyChoice why) {
     case OnlyChoice::within_bound_of_machine:
       return "No other run with the machine's own model keeps the bound.";
     case OnlyChoice::of_machine:
-      return "No other run has the machine's own model.";
+      return "No other run of the machine's own model can be taken.";
     case OnlyChoice::possible:
       break;
   }

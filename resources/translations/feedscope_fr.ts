@@ -258,10 +258,6 @@
         <translation>Aucune autre simulation avec le modèle propre à la machine ne respecte la borne.</translation>
     </message>
     <message>
-        <source>No other run has the machine&apos;s own model.</source>
-        <translation>Aucune autre simulation n’a le modèle propre à la machine.</translation>
-    </message>
-    <message>
         <source>No other run can be taken.</source>
         <translation>Aucune autre simulation ne peut être retenue.</translation>
     </message>
@@ -288,6 +284,10 @@
     <message>
         <source>Runs with another model than their machine&apos;s own do not count.</source>
         <translation>Les simulations avec un autre modèle que celui de leur machine ne comptent pas.</translation>
+    </message>
+    <message>
+        <source>No other run of the machine&apos;s own model can be taken.</source>
+        <translation>Aucune autre simulation du modèle propre à la machine ne peut être retenue.</translation>
     </message>
 </context>
 <context>
@@ -2219,6 +2219,14 @@
     <message>
         <source>Feed, acceleration and jerk of the tool about the places that lose most. Rapids are left out.</source>
         <translation>Avance, accélération et jerk de l’outil autour des endroits qui perdent le plus. Sans rapides.</translation>
+    </message>
+    <message>
+        <source>The contour error keeps the bound of %1.</source>
+        <translation>L’erreur de contour tient la borne de %1.</translation>
+    </message>
+    <message>
+        <source>The contour error is above the bound of %1.</source>
+        <translation>L’erreur de contour dépasse la borne de %1.</translation>
     </message>
 </context>
 <context>

@@ -65,7 +65,7 @@ constexpr PageText texts_of_page[] = {
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "Next worst place")},
     {"DecisionTexts", QT_TRANSLATE_NOOP("DecisionTexts", "No difference worth having: %1 takes %2, %3.")},
     {"DecisionTexts", QT_TRANSLATE_NOOP("DecisionTexts", "No other run can be taken.")},
-    {"DecisionTexts", QT_TRANSLATE_NOOP("DecisionTexts", "No other run has the machine's own model.")},
+    {"DecisionTexts", QT_TRANSLATE_NOOP("DecisionTexts", "No other run of the machine's own model can be taken.")},
     {"DecisionTexts", QT_TRANSLATE_NOOP("DecisionTexts", "No other run keeps the bound.")},
     {"DecisionTexts",
      QT_TRANSLATE_NOOP("DecisionTexts", "No other run with the machine's own model keeps the bound.")},

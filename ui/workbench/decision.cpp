@@ -65,7 +65,7 @@ QString DecisionTexts::only(OnlyChoice why) {
     case OnlyChoice::within_bound_of_machine:
       return tr("No other run with the machine's own model keeps the bound.");
     case OnlyChoice::of_machine:
-      return tr("No other run has the machine's own model.");
+      return tr("No other run of the machine's own model can be taken.");
     case OnlyChoice::possible:
       break;
   }

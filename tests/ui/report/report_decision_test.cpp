@@ -73,6 +73,16 @@ TEST(ReportDecision, ABoundTakesAnotherRun) {
   EXPECT_THAT(decision_page(input, "{{headline}}"), HasSubstr("A (0.01 mm): "));
 }
 
+TEST(ReportDecision, OfARunAloneSaysWhetherItKeepsTheBound) {
+  ReportInput input = decision_runs(many_corners, {0.1});
+  const double error = deciding_error(summary_of(input.runs[0]));
+  EXPECT_THAT(decision_page(input, "{{verdict}}"), Not(HasSubstr("bound")));
+  input.within = 1.1 * error;
+  EXPECT_THAT(decision_page(input, "{{verdict}}"), HasSubstr("keeps the bound"));
+  input.within = 0.5 * error;
+  EXPECT_THAT(decision_page(input, "{{verdict}}"), HasSubstr("is above the bound"));
+}
+
 TEST(ReportDecision, ARunThatCannotBeSimulatedIsNamed) {
   ReportInput input = test::two_runs();
   input.unmade = {

@@ -21,7 +21,7 @@ const onlyText = (why) =>
   ({
     'within-bound': () => tr('No other run keeps the bound.'),
     'within-bound-of-machine': () => tr("No other run with the machine's own model keeps the bound."),
-    'of-machine': () => tr("No other run has the machine's own model."),
+    'of-machine': () => tr("No other run of the machine's own model can be taken."),
     possible: () => tr('No other run can be taken.'),
   })[why]();
 

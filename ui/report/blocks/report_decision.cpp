@@ -129,6 +129,17 @@ QString run_faults(const ReportInput& input) {
   return html;
 }
 
+/// Whether a single run keeps the bound.
+QString bound_sentence(const ReportInput& input) {
+  if (!input.within || !moves(input.run())) {
+    return {};
+  }
+  const QString bound = amount_text(*input.within, Dimension::error);
+  return keeps_bound(deciding_error(summary_of(input.run())), input.within)
+             ? ReportWords::tr("The contour error keeps the bound of %1.").arg(bound)
+             : ReportWords::tr("The contour error is above the bound of %1.").arg(bound);
+}
+
 QString unmade_runs(const ReportInput& input) {
   QString html;
   for (const UnmadeRun& run : input.unmade) {
@@ -364,7 +375,7 @@ QString verdict_block(const ReportInput& input) {
   }
   const QString rule = input.runs.size() > 1
                            ? DecisionTexts::decision(run_figures(input), names, input.within).rule
-                           : QString();
+                           : bound_sentence(input);
   const QString why = rule.isEmpty() ? QString() : QStringLiteral("<p class=\"rule\">%1</p>\n").arg(rule);
   return why + unmade_runs(input) + reading_fault(input) + run_faults(input) + unused_tolerances(input);
 }
