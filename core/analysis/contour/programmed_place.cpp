@@ -26,12 +26,29 @@ std::size_t first_element_from(const BlendedPath& path, std::uint64_t segment) {
   return low;
 }
 
-ProgrammedStretch stretch_of(const BlendedPath& path, std::uint32_t segment) {
-  return {path.s(first_element_from(path, segment)),
-          path.s(first_element_from(path, std::uint64_t{segment} + 1))};
+/// Executed path length at which `segment` begins: the middle of the corner before it, which is one element
+/// or several of the segment before.
+double begin_of(const BlendedPath& path, std::uint64_t segment) {
+  const std::size_t first = first_element_from(path, segment);
+  std::size_t corner = first;
+  while (first < path.size() && corner > 0 && path.rounds_corner(corner - 1) &&
+         path.segment(corner - 1) == path.segment(first - 1)) {
+    --corner;
+  }
+  return (path.s(corner) + path.s(first)) / 2;
 }
 
-ProgrammedPlace place_within(const BlendedPath& path, std::uint32_t segment, double s) {
+ProgrammedStretch stretch_of(const BlendedPath& path, std::uint32_t segment) {
+  return {begin_of(path, segment), begin_of(path, std::uint64_t{segment} + 1)};
+}
+
+/// Place at path length `s`, which is on `element`.
+ProgrammedPlace place_on(const BlendedPath& path, std::size_t element, double s) {
+  std::uint32_t segment = path.segment(element);
+  const std::size_t next = first_element_from(path, std::uint64_t{segment} + 1);
+  if (next < path.size() && s > begin_of(path, path.segment(next))) {
+    segment = path.segment(next);
+  }
   const auto [begin, end] = stretch_of(path, segment);
   return {segment, end > begin ? std::clamp((s - begin) / (end - begin), 0.0, 1.0) : 0.0};
 }
@@ -42,7 +59,7 @@ ProgrammedPlace programmed_place(const BlendedPath& path, double s) {
   if (path.empty()) {
     return {};
   }
-  return place_within(path, path.segment(path.element_at(std::clamp(s, 0.0, path.length()))), s);
+  return place_on(path, path.element_at(std::clamp(s, 0.0, path.length())), s);
 }
 
 double path_length_of(const BlendedPath& path, const ProgrammedPlace& place) {
@@ -55,7 +72,7 @@ ProgrammedPlace programmed_place(const Trajectory& trajectory, double time) {
     return {};
   }
   const State state = trajectory.state(time);
-  return place_within(trajectory.path(), trajectory.path().segment(state.element), state.path_length);
+  return place_on(trajectory.path(), state.element, state.path_length);
 }
 
 double time_of(const Trajectory& trajectory, const ProgrammedPlace& place) {

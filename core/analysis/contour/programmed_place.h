@@ -7,7 +7,7 @@
 namespace feedscope {
 
 /// A place of a program that is independent of the control: a share of the executed path of one programmed
-/// segment, including the corner at its end.
+/// segment, from the middle of the corner before it to the middle of the one after it.
 struct ProgrammedPlace {
   std::uint32_t segment = 0;  ///< index into the programmed toolpath
   double share = 0;           ///< of the executed path length of the segment, 0 to 1

@@ -48,6 +48,24 @@ TEST(ProgrammedPlace, StaysWithinABlendUnderAnotherTolerance) {
   }
 }
 
+/// A corner belongs to both of its segments, so that the middle of a wide one is that of a narrow one.
+TEST(ProgrammedPlace, TheMiddleOfACornerIsTheSameUnderEveryTolerance) {
+  const LoadedProgram program = read("G1 F6000 X50\nY50\nX100\nY0\n");
+  for (const double tolerance : {0.005, 0.1, 0.3}) {
+    const feedscope::Run run = run_with(program, "essid", tolerance);
+    for (std::uint32_t segment = 1; segment < 4; ++segment) {
+      const Vec3 corner = program.toolpath->start_of(segment);
+      const Vec3 bisector = (program.toolpath->start_of(segment - 1) - corner).normalized() +
+                            (program.toolpath->segments[segment].end - corner).normalized();
+      const double time = time_of(*run.trajectory, {segment, 0});
+      const Vec3 middle = run.trajectory->state(time).position - corner;
+      EXPECT_GT(middle.norm(), 0.5 * tolerance);
+      EXPECT_NEAR(middle.normalized().dot(bisector.normalized()), 1, 1e-6) << segment << ", " << tolerance;
+      EXPECT_NEAR(time, time_of(*run.trajectory, {segment - 1, 1}), 1e-9);
+    }
+  }
+}
+
 TEST(ProgrammedPlace, OfNothingIsTheBeginning) {
   EXPECT_EQ(programmed_place(Trajectory(), 3), ProgrammedPlace{});
   EXPECT_EQ(time_of(Trajectory(), {7, 0.5}), 0);
