@@ -749,8 +749,8 @@
         <translation>Loupe</translation>
     </message>
     <message>
-        <source>Long program, drawn coarser: path within %1, feed within %2 of the largest</source>
-        <translation>Programme long, tracé plus grossier&#xa0;: trajectoire à %1 près, avance à %2 de la plus grande</translation>
+        <source>Long program, drawn coarser away from the listed places: path within %1, feed within %2 of the largest</source>
+        <translation>Programme long, tracé plus grossier hors des endroits listés&#xa0;: trajectoire à %1 près, avance à %2 de la plus grande</translation>
     </message>
     <message>
         <source>Look from here</source>

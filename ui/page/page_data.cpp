@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <ranges>
 
 #include "core/analysis/contour/path_deviation.h"
 #include "core/analysis/study/recommendation.h"
@@ -32,6 +33,8 @@ constexpr double peak_parts = 250;         // of the largest acceleration and je
 constexpr double feed_quantum = 1e-3;      // [mm/s]
 constexpr double limit_parts = 1000;       // of the limit of a rotary axis
 constexpr std::size_t most_places = 60;    // of a run
+constexpr std::size_t listed_places = 8;   // of a run, the worst; as web/places.js
+constexpr double close_view_time = 0.2;    // [s]
 constexpr std::size_t curve_share = 4;     // nodes of a run that may be for each point of a curve
 
 using Position = std::array<std::int64_t, 3>;
@@ -257,12 +260,17 @@ QJsonArray cause_keys() {
 }
 
 /// The places with the largest loss, in order of time, each with a sentence on its cause.
-QJsonArray places_json(const ShownRun& shown) {
-  const Trajectory& trajectory = *shown.run.trajectory;
-  const SlowPlaces found = shown.slow_places ? *shown.slow_places : find_slow_places(trajectory);
+/// The places of a run that lose most, the first of all first.
+std::vector<SlowPlace> worst_places(const ShownRun& shown) {
+  const SlowPlaces found = shown.slow_places ? *shown.slow_places : find_slow_places(*shown.run.trajectory);
   std::vector<SlowPlace> places = found.places;
   std::ranges::stable_sort(places, std::ranges::greater(), &SlowPlace::loss);
   places.resize(std::min(places.size(), most_places));
+  return places;
+}
+
+QJsonArray places_json(const ShownRun& shown, std::vector<SlowPlace> places) {
+  const Trajectory& trajectory = *shown.run.trajectory;
   std::ranges::sort(places, {}, &SlowPlace::from);
   QJsonArray list;
   for (const SlowPlace& place : places) {
@@ -277,6 +285,41 @@ QJsonArray places_json(const ShownRun& shown) {
                             {"why", WhyText::sentence(place.cause, why)}});
   }
   return list;
+}
+
+/// The surroundings of the listed places of a run, on its programmed path.
+void add_close_views(const ShownRun& shown, const std::vector<SlowPlace>& places,
+                     std::vector<CloseView>& views) {
+  const Trajectory& trajectory = *shown.run.trajectory;
+  PathDeviation deviation(*trajectory.path().programmed());
+  std::vector<double> starts{0};
+  for (const Segment& segment : trajectory.path().programmed()->segments) {
+    starts.push_back(starts.back() + segment.length);
+  }
+  const auto place_at = [&](double time) {
+    const State state = trajectory.state(time);
+    const PathDeviation::Foot foot =
+        deviation.foot_near(trajectory.path().segment(state.element), state.position);
+    return starts[foot.segment] + foot.s;
+  };
+  for (const SlowPlace& place : places | std::views::take(listed_places)) {
+    const double at = ruled_instant(trajectory, place);
+    views.push_back({place_at(at - close_view_time / 2), place_at(at + close_view_time / 2)});
+  }
+}
+
+/// In order, those that overlap as one.
+std::vector<CloseView> joined(std::vector<CloseView> views) {
+  std::ranges::sort(views, {}, &CloseView::from);
+  std::vector<CloseView> apart;
+  for (const CloseView& view : views) {
+    if (!apart.empty() && view.from <= apart.back().to) {
+      apart.back().to = std::max(apart.back().to, view.to);
+    } else {
+      apart.push_back(view);
+    }
+  }
+  return apart;
 }
 
 /// The output of `simulate --json`, without parts that vary or are not shown.
@@ -335,6 +378,7 @@ class PageWriter {
   QByteArray write(Progress* progress) {
     const std::vector<ComparedRun> figures = run_figures(input_);
     const std::vector<bool> can = can_be_chosen(figures);
+    find_places();
     QJsonArray runs;
     for (std::size_t i = 0; i < input_.runs.size(); ++i) {
       QJsonObject run = run_json(i, progress);
@@ -374,6 +418,17 @@ class PageWriter {
   }
 
  private:
+  void find_places() {
+    for (const ReportRun& run : input_.runs) {
+      const bool moves = !run.shown->run.trajectory->pieces().empty();
+      places_.push_back(moves ? worst_places(*run.shown) : std::vector<SlowPlace>{});
+      if (moves) {
+        add_close_views(*run.shown, places_.back(), views_);
+      }
+    }
+    views_ = joined(std::move(views_));
+  }
+
   QString text() const {
     const SourceText& source = *input_.program().program->source;
     QString text;
@@ -415,7 +470,7 @@ class PageWriter {
     }
     const std::size_t programmed = programmed_of(trajectory);
     const double top_feed = run.shown->samples->peak_feed;
-    const RunNodes nodes = run_nodes(trajectory, top_feed, most_, progress);
+    const RunNodes nodes = run_nodes(trajectory, top_feed, most_, views_, progress);
     json["programmed"] = static_cast<qint64>(programmed);
     json["nodes"] = nodes_json(nodes.nodes, steps_[programmed], data_);
     json["top_feed"] = top_feed;
@@ -423,13 +478,15 @@ class PageWriter {
         QJsonObject{{"position", 2 * nodes.precision.position}, {"speed", 2 * nodes.precision.speed}};
     json["rotary"] =
         rotary_json(rotary_curves(run.shown->run, rotary_limits_, most_ / curve_share, progress), data_);
-    json["places"] = places_json(*run.shown);
+    json["places"] = places_json(*run.shown, places_[i]);
     return json;
   }
 
   const ReportInput& input_;
   std::size_t most_;
-  std::vector<CauseKind> rotary_limits_;  ///< that slow one of the runs
+  std::vector<CauseKind> rotary_limits_;        ///< that slow one of the runs
+  std::vector<std::vector<SlowPlace>> places_;  ///< of each run
+  std::vector<CloseView> views_;                ///< of the listed places of all runs
   PageData data_;
   QJsonArray programmed_;
   std::vector<std::shared_ptr<const Toolpath>> paths_;

@@ -54,9 +54,9 @@ constexpr PageText texts_of_page[] = {
     {"ReportWords", QT_TRANSLATE_NOOP("ReportWords", "Limited by")},
     {"Scene", QT_TRANSLATE_NOOP("Scene", "Limiting cause")},
     {"Annotations", QT_TRANSLATE_NOOP("Annotations", "Line %1")},
-    {"PageWords",
-     QT_TRANSLATE_NOOP("PageWords",
-                       "Long program, drawn coarser: path within %1, feed within %2 of the largest")},
+    {"PageWords", QT_TRANSLATE_NOOP("PageWords",
+                                    "Long program, drawn coarser away from the listed places: path within "
+                                    "%1, feed within %2 of the largest")},
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "Look from here")},
     {"feedscope::ui::DecideView",
      QT_TRANSLATE_NOOP("feedscope::ui::DecideView", "Lost: against the programmed feed (%1).")},

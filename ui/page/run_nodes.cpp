@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "core/analysis/contour/path_deviation.h"
@@ -16,7 +17,7 @@ constexpr double shortest_span = 2e-5;       // [s]
 constexpr double acceleration_share = 0.05;  // of the largest acceleration
 constexpr double fine_position = 5e-4;       // [mm]
 constexpr double fine_speed_share = 5e-4;    // of the largest feed
-constexpr double coarse_speed_share = 0.01;  // of the largest feed; then the path gets coarser
+constexpr int most_turns = 24;               // to twice the largest feed and 2 mm
 constexpr std::size_t longest_window = 64;   // nodes that one span may replace
 
 /// State of a run with its programmed place.
@@ -246,12 +247,19 @@ RunNode joined(const std::vector<RunNode>& nodes, std::size_t from, std::size_t 
   return node;
 }
 
-std::vector<RunNode> thinned(const std::vector<RunNode>& nodes, const NodePrecision& precision) {
+std::vector<RunNode> thinned(const std::vector<RunNode>& nodes, const NodePrecision& precision,
+                             const std::vector<CloseView>& views) {
   std::vector<RunNode> kept;
   std::size_t from = 0;
+  auto view = views.begin();
   while (from + 1 < nodes.size()) {
+    while (view != views.end() && view->to < nodes[from].place) {
+      ++view;
+    }
+    const double apart = view != views.end() ? view->from : std::numeric_limits<double>::infinity();
     std::size_t to = from + 1;
-    while (to + 1 < nodes.size() && to - from < longest_window && one_span(nodes, from, to + 1, precision)) {
+    while (to + 1 < nodes.size() && to - from < longest_window && nodes[to + 1].place < apart &&
+           one_span(nodes, from, to + 1, precision)) {
       ++to;
     }
     kept.push_back(joined(nodes, from, to));
@@ -273,7 +281,8 @@ NodePrecision fine_precision(double top_feed) {
   return {fine_position, fine_speed_share * top_feed};
 }
 
-RunNodes run_nodes(const Trajectory& trajectory, double top_feed, std::size_t most, Progress* progress) {
+RunNodes run_nodes(const Trajectory& trajectory, double top_feed, std::size_t most,
+                   const std::vector<CloseView>& views, Progress* progress) {
   RunNodes result{{}, fine_precision(top_feed)};
   if (trajectory.pieces().empty()) {
     return result;
@@ -281,14 +290,10 @@ RunNodes run_nodes(const Trajectory& trajectory, double top_feed, std::size_t mo
   Progress unwatched;
   result.nodes = NodeWalk(trajectory, result.precision).take(progress != nullptr ? *progress : unwatched);
   const std::vector<RunNode> all = result.nodes;
-  while (result.nodes.size() > most) {
-    // Speeds lose precision first: people look at the path.
-    if (result.precision.speed < coarse_speed_share * top_feed) {
-      result.precision.speed *= 2;
-    } else {
-      result.precision.position *= 2;
-    }
-    result.nodes = thinned(all, result.precision);
+  // Speed and path in turn: either alone may need as many nodes, however coarse the other is.
+  for (int turn = 0; result.nodes.size() > most && turn < most_turns; ++turn) {
+    (turn % 2 == 0 ? result.precision.speed : result.precision.position) *= 2;
+    result.nodes = thinned(all, result.precision, views);
   }
   return result;
 }

@@ -47,14 +47,20 @@ NodePrecision fine_precision(double top_feed);
 
 struct RunNodes {
   std::vector<RunNode> nodes;  ///< in order of time; empty for an empty trajectory
-  NodePrecision precision;     ///< of the nodes
+  NodePrecision precision;     ///< of the nodes outside of the close views
 };
 
-/// `most`: beyond this number of nodes, those where path and speed are straightest are omitted: the speed
-/// tolerance is doubled up to 1 % of the largest feed, then the path tolerance. `top_feed`: the largest of
-/// feed motions [mm/s]. Linear in the pieces. Throws Cancelled.
+/// A part of the programmed path that is looked at from close by [mm].
+struct CloseView {
+  double from = 0;
+  double to = 0;
+};
+
+/// `most`: beyond this number of nodes, those where path and speed are straightest are omitted: the
+/// tolerances of speed and path are doubled in turn; within `views` (in order, apart) the fine precision
+/// stays. `top_feed`: the largest of feed motions [mm/s]. Linear in the pieces. Throws Cancelled.
 RunNodes run_nodes(const Trajectory& trajectory, double top_feed, std::size_t most,
-                   Progress* progress = nullptr);
+                   const std::vector<CloseView>& views = {}, Progress* progress = nullptr);
 
 /// Points of the programmed path close enough to draw it within `precision` [mm].
 struct ProgrammedPoint {

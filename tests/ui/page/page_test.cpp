@@ -115,6 +115,24 @@ TEST(RunNodes, AreAsManyAsAskedForAndSayHowCoarseTheyAre) {
   }
 }
 
+TEST(RunNodes, LeaveNothingOutWhereOneLooksFromClose) {
+  std::mt19937 random(7);
+  const feedscope::Run run = page_run(random_page_program(random), "essid", 0.05);
+  const double top_feed = top_feed_of(run);
+  const RunNodes all = run_nodes(*run.trajectory, top_feed, 1'000'000);
+  const double middle = all.nodes[all.nodes.size() / 2].place;
+  const std::vector<CloseView> views{{middle - 1, middle + 1}};
+  const RunNodes few = run_nodes(*run.trajectory, top_feed, all.nodes.size() / 8, views);
+  EXPECT_LE(few.nodes.size(), all.nodes.size() / 8);
+  const auto seen = [&](const RunNodes& nodes) {
+    return std::ranges::count_if(nodes.nodes, [&](const RunNode& node) {
+      return node.place >= views[0].from && node.place <= views[0].to;
+    });
+  };
+  EXPECT_GT(seen(all), seen(run_nodes(*run.trajectory, top_feed, all.nodes.size() / 8)));
+  EXPECT_EQ(seen(few), seen(all));
+}
+
 /// What is drawn at a time, straight between the points.
 double drawn_at(const RotaryCurve& curve, double time) {
   const auto next = std::ranges::lower_bound(curve.points, time, {}, &CurvePoint::time);

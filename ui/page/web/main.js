@@ -134,7 +134,7 @@ function precisionText(run) {
     shareText(run.precision.speed / (run.top_feed || 1)),
   ];
   const path = isCoarse(run)
-    ? tr('Long program, drawn coarser: path within %1, feed within %2 of the largest', ...text)
+    ? tr('Long program, drawn coarser away from the listed places: path within %1, feed within %2 of the largest', ...text)
     : tr('Path within %1, feed within %2 of the largest', ...text);
   const turning = rotaryPrecision(run);
   return turning > 0 ? `${path}, ${tr('rotary axes within %1 of their limits', shareText(turning))}` : path;
