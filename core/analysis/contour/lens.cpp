@@ -36,32 +36,33 @@ std::optional<LensCorner> corner_behind(const Toolpath& path, std::size_t segmen
   return corner.turn > straight_angle ? std::optional(corner) : std::nullopt;
 }
 
-/// Path lengths at which the executed part of a segment begins and ends [mm].
+/// The middle of the corner after `segment`.
+ProgrammedPlace end_of(std::size_t segment) {
+  return {static_cast<std::uint32_t>(segment), 1};
+}
+
+/// A part of an executed path, by its path lengths [mm].
 struct Executed {
   double begin = 0;
   double end = 0;
 };
 
-Executed executed_of(const BlendedPath& path, std::size_t segment) {
-  const auto index = static_cast<std::uint32_t>(segment);
-  return {path_length_of(path, {index, 0}), path_length_of(path, {index, 1})};
-}
-
-/// Where an executed path rounds the corner after `segment` [mm]; an empty range if it does not, or if the
-/// path alone does not show it.
+/// Where an executed path rounds the corner after `segment`; an empty range if it does not, or if the path
+/// alone does not show it.
 Executed rounding_of(const BlendedPath& path, std::size_t segment) {
-  const auto [begin, end] = executed_of(path, segment);
-  double from = end;
-  for (std::size_t i = path.element_at(end); path.s(i) >= begin && path.segment(i) == segment; --i) {
-    if (!path.rounds_corner(i)) {
-      break;
-    }
-    from = path.s(i);
-    if (i == 0) {
-      break;
-    }
+  const double middle = path_length_of(path, end_of(segment));
+  const std::size_t at = path.element_at(middle);
+  const auto rounds = [&](std::size_t i) {
+    return i < path.size() && path.segment(i) == segment && path.rounds_corner(i);
+  };
+  Executed rounding{middle, middle};
+  for (std::size_t i = at; rounds(i); --i) {
+    rounding.begin = path.s(i);
   }
-  return {from, end};
+  for (std::size_t i = at; rounds(i); ++i) {
+    rounding.end = path.s(i + 1);
+  }
+  return rounding;
 }
 
 Vec3 any_across(const Vec3& along) {
@@ -114,11 +115,7 @@ class Focus {
 
   /// Path length of a run at the centre of the lens [mm].
   double middle_in(const Trajectory& run) const {
-    if (!corner_) {
-      return path_length_of(run.path(), place_);
-    }
-    const auto [from, to] = rounding_of(run.path(), corner_->segment);
-    return (from + to) / 2;
+    return path_length_of(run.path(), corner_ ? end_of(corner_->segment) : place_);
   }
 
   const Toolpath& path() const { return path_; }
@@ -367,9 +364,10 @@ std::optional<double> lens_time(const Run& run, std::uint32_t line) {
   if (!first) {
     return std::nullopt;
   }
-  const auto [from, to] =
-      sharpest ? rounding_of(trajectory.path(), sharpest->segment) : executed_of(trajectory.path(), *first);
-  return trajectory.state_at_path((from + to) / 2).time;
+  const double middle =
+      path_length_of(trajectory.path(), sharpest ? end_of(sharpest->segment)
+                                                 : ProgrammedPlace{static_cast<std::uint32_t>(*first), 0.5});
+  return trajectory.state_at_path(middle).time;
 }
 
 }  // namespace feedscope
