@@ -73,7 +73,8 @@ std::vector<fs::path> shipped_lessons() {
     }
   }
   if (error) {
-    throw InputError(fmt::format("cannot read lesson folder '{}': {}", folder.string(), error.message()));
+    throw InputError(
+        message(NC_("core", "cannot read lesson folder '{}': {}"), folder.string(), error.message()));
   }
   std::sort(files.begin(), files.end());
   return files;
@@ -100,10 +101,11 @@ fs::path find_lesson(const std::string& id_or_file) {
     }
   }
   const std::string nearest = nearest_id(id_or_file, all);
-  throw InputError(fmt::format(
-      "unknown lesson '{}': no id and no file; {}", id_or_file,
-      nearest.empty() ? fmt::format("numbers 1 to {}, or ids: {}", ids.size(), fmt::join(ids, ", "))
-                      : fmt::format("did you mean '{}'?", files.at(nearest).stem().string())));
+  throw InputError(message(
+      NC_("core", "unknown lesson '{}': no id and no file; {}"), id_or_file,
+      nearest.empty() ? message(NC_("core", "numbers 1 to {}, or ids: {}"), ids.size(),
+                                fmt::format("{}", fmt::join(ids, ", ")))
+                      : message(NC_("core", "did you mean '{}'?"), files.at(nearest).stem().string())));
 }
 
 }  // namespace feedscope

@@ -40,8 +40,8 @@ const LoadedProgram& LessonRuns::program(const std::filesystem::path& file, cons
     return diagnostic.severity == Severity::error;
   });
   if (error != diagnostics.end()) {
-    throw InputError(fmt::format("program '{}' of the lesson has an error on line {}: {}", file.string(),
-                                 error->line, error->message.english()));
+    throw InputError(message(NC_("core", "program '{}' of the lesson has an error on line {}: {}"),
+                             file.string(), error->line, error->message));
   }
   return programs_.emplace(key, std::move(loaded)).first->second;
 }
@@ -63,7 +63,8 @@ double LessonRuns::value(const LessonQuantity& quantity, Progress* progress) {
   }
   const double other = measured(quantity.measure, run(*quantity.against, progress));
   if (other == 0 && quantity.relation != Relation::difference) {
-    throw InputError(fmt::format("{}: the second is 0, so there is no ratio", quantity_text(quantity)));
+    throw InputError(
+        message(NC_("core", "{}: the second is 0, so there is no ratio"), quantity_text(quantity)));
   }
   return related(quantity.relation, value, other);
 }

@@ -15,10 +15,15 @@
 namespace feedscope {
 namespace {
 
+std::string in_braces(const std::string& name) {
+  return '{' + name + '}';
+}
+
 [[noreturn]] void fail_unknown(const std::string& name, const std::vector<std::string>& known) {
   const std::string nearest = nearest_name(name, known);
-  throw InputError(fmt::format("the text speaks of {{{}}}, which is in neither [numbers] nor [given]{}", name,
-                               nearest.empty() ? "" : fmt::format("; did you mean {{{}}}?", nearest)));
+  throw InputError(message(
+      NC_("core", "the text speaks of {}, which is in neither [numbers] nor [given]{}"), in_braces(name),
+      nearest.empty() ? Message() : message(NC_("core", "; did you mean {}?"), in_braces(nearest))));
 }
 
 template <typename... Values>

@@ -122,8 +122,8 @@ std::string cause_in(Cause cause, const std::string& language) {
 }
 
 [[noreturn]] void fail_without_motion(const Measure& measure) {
-  throw InputError(fmt::format("nothing moves on {} of the program: no {} there", lines_text(measure),
-                               measure.spec->title));
+  throw InputError(message(NC_("core", "nothing moves on {} of the program: no {} there"),
+                           lines_text(measure), measure.spec->title));
 }
 
 struct Range {
@@ -223,8 +223,9 @@ double peak(const Measure& measure, const Trajectory& trajectory) {
 /// Peak of the drives, at the borders of SpanLooks; contour errors of cuts only, as in the summary.
 double peak_of_drives(const Measure& measure, const Run& run) {
   if (run.sources.actual == nullptr) {
-    throw InputError(fmt::format("the machine {} has no drives, so that there is no {}; give its axes kv_1_s",
-                                 run.setup.machine.id, measure.spec->title));
+    throw InputError(
+        message(NC_("core", "the machine {} has no drives, so that there is no {}; give its axes kv_1_s"),
+                run.setup.machine.id, measure.spec->title));
   }
   const auto of = info_of(*measure.spec->quantity).of;
   const bool of_cuts = measure.spec->quantity == QuantityId::actual_contour_error;
@@ -347,8 +348,9 @@ double of_axes(const Measure& measure, const Summary& summary, double AxisPeaks:
   for (std::size_t axis = 0; axis < summary.axes.size(); ++axis) {
     if (measure.axis == 0 || measure.axis == summary.axes.name(axis)) {
       if (std::isnan(summary.axes[axis].*value)) {
-        throw InputError(fmt::format("the model limits no jerk, so that the acceleration jumps: no {}",
-                                     measure.spec->title));
+        throw InputError(
+            message(NC_("core", "the model limits no jerk, so that the acceleration jumps: no {}"),
+                    measure.spec->title));
       }
       largest = std::max(largest, summary.axes[axis].*value);
     }
@@ -452,6 +454,11 @@ double on_run(const Measure& measure, const Run& run) {
   }
 }
 
+Message known_or_nearest(const std::vector<std::string>& known, const std::string& nearest) {
+  return nearest.empty() ? message(NC_("core", "known: {}"), fmt::format("{}", fmt::join(known, ", ")))
+                         : message(NC_("core", "did you mean '{}'?"), nearest);
+}
+
 }  // namespace
 
 const std::vector<MeasureSpec>& all_measures() {
@@ -468,9 +475,7 @@ const MeasureSpec& find_measure(const std::string& key) {
     keys.push_back(spec.key);
   }
   const std::string nearest = nearest_name(key, keys);
-  throw InputError(fmt::format("unknown measure '{}'; {}", key,
-                               nearest.empty() ? fmt::format("known: {}", fmt::join(keys, ", "))
-                                               : fmt::format("did you mean '{}'?", nearest)));
+  throw InputError(message(NC_("core", "unknown measure '{}'; {}"), key, known_or_nearest(keys, nearest)));
 }
 
 std::vector<std::size_t> causes_named(const std::string& key) {
@@ -486,9 +491,7 @@ std::vector<std::size_t> causes_named(const std::string& key) {
       names.push_back(cause_key(cause));
     }
     const std::string nearest = nearest_name(key, names);
-    throw InputError(fmt::format("unknown cause '{}'; {}", key,
-                                 nearest.empty() ? fmt::format("known: {}", fmt::join(names, ", "))
-                                                 : fmt::format("did you mean '{}'?", nearest)));
+    throw InputError(message(NC_("core", "unknown cause '{}'; {}"), key, known_or_nearest(names, nearest)));
   }
   return found;
 }

@@ -54,8 +54,10 @@ fs::path find_program(const Lesson& lesson, const std::string& name) {
     }
   }
   const std::string nearest = nearest_name(name, names_of_programs(shipped));
-  throw InputError(fmt::format("program '{}' is neither beside the lesson nor in {}{}", name, programs_folder,
-                               nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
+  throw InputError(
+      message(NC_("core", "program '{}' is neither next to the lesson nor in {}{}"), name,
+              std::string_view(programs_folder),
+              nearest.empty() ? Message() : message(NC_("core", "; did you mean '{}'?"), nearest)));
 }
 
 /// Sets `tolerance` as --tolerance does.

@@ -10224,6 +10224,86 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>it lies along the tool, which it does not turn</source>
         <translation>il est dans l’axe de l’outil, qu’il ne tourne donc pas</translation>
     </message>
+    <message>
+        <source>setting &apos;{}&apos; is unknown to the models {}; {}known settings: {}</source>
+        <translation>le réglage «&#xa0;{}&#xa0;» est inconnu des modèles {}&#xa0;; {}réglages connus&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>did you mean &apos;{}&apos;? </source>
+        <translation>vouliez-vous dire «&#xa0;{}&#xa0;»&#xa0;? </translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is swept twice; write all its values into one sweep</source>
+        <translation>«&#xa0;{}&#xa0;» est balayé deux fois&#xa0;; écrivez toutes ses valeurs dans un seul balayage</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is both swept and set to a value; omit &apos;{}&apos;</source>
+        <translation>«&#xa0;{}&#xa0;» est à la fois balayé et fixé à une valeur&#xa0;; omettez «&#xa0;{}&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the tolerance is both swept and set; omit --tolerance</source>
+        <translation>la tolérance est à la fois balayée et fixée&#xa0;; omettez --tolerance</translation>
+    </message>
+    <message>
+        <source>sweep of &apos;{}&apos;: unknown to the models {}; {}known settings: {}</source>
+        <translation>balayage de «&#xa0;{}&#xa0;»&#xa0;: inconnu des modèles {}&#xa0;; {}réglages connus&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>cannot read lesson folder &apos;{}&apos;: {}</source>
+        <translation>impossible de lire le dossier de leçons «&#xa0;{}&#xa0;»&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>unknown lesson &apos;{}&apos;: no id and no file; {}</source>
+        <translation>leçon «&#xa0;{}&#xa0;» inconnue&#xa0;: ni identifiant ni fichier&#xa0;; {}</translation>
+    </message>
+    <message>
+        <source>numbers 1 to {}, or ids: {}</source>
+        <translation>numéros 1 à {}, ou identifiants&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>program &apos;{}&apos; of the lesson has an error on line {}: {}</source>
+        <translation>le programme «&#xa0;{}&#xa0;» de la leçon a une erreur à la ligne {}&#xa0;: {}</translation>
+    </message>
+    <message>
+        <source>{}: the second is 0, so there is no ratio</source>
+        <translation>{}&#xa0;: la seconde valeur est 0, il n’y a donc pas de rapport</translation>
+    </message>
+    <message>
+        <source>the text speaks of {}, which is in neither [numbers] nor [given]{}</source>
+        <translation>le texte parle de {}, qui n’est ni dans [numbers] ni dans [given]{}</translation>
+    </message>
+    <message>
+        <source>; did you mean {}?</source>
+        <translation>&#xa0;; vouliez-vous dire {}&#xa0;?</translation>
+    </message>
+    <message>
+        <source>nothing moves on {} of the program: no {} there</source>
+        <translation>rien ne bouge en {} du programme&#xa0;: pas de «&#xa0;{}&#xa0;» là</translation>
+    </message>
+    <message>
+        <source>the machine {} has no drives, so that there is no {}; give its axes kv_1_s</source>
+        <translation>la machine {} n’a pas d’entraînements, donc pas de «&#xa0;{}&#xa0;»&#xa0;; donnez kv_1_s à ses axes</translation>
+    </message>
+    <message>
+        <source>the model limits no jerk, so that the acceleration jumps: no {}</source>
+        <translation>le modèle ne limite pas le jerk, l’accélération saute donc&#xa0;: pas de «&#xa0;{}&#xa0;»</translation>
+    </message>
+    <message>
+        <source>unknown measure &apos;{}&apos;; {}</source>
+        <translation>mesure «&#xa0;{}&#xa0;» inconnue&#xa0;; {}</translation>
+    </message>
+    <message>
+        <source>unknown cause &apos;{}&apos;; {}</source>
+        <translation>cause «&#xa0;{}&#xa0;» inconnue&#xa0;; {}</translation>
+    </message>
+    <message>
+        <source>program &apos;{}&apos; is neither next to the lesson nor in {}{}</source>
+        <translation>le programme «&#xa0;{}&#xa0;» n’est ni à côté de la leçon ni dans {}{}</translation>
+    </message>
+    <message>
+        <source>; did you mean &apos;{}&apos;?</source>
+        <translation>&#xa0;; vouliez-vous dire «&#xa0;{}&#xa0;»&#xa0;?</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>

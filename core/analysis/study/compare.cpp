@@ -41,9 +41,10 @@ void check_assignments(const std::vector<std::string>& assignments, const std::v
     const std::string key = assigned_key(assignment);
     if (!contains(known, key)) {
       const std::string near = nearest_name(key, known);
-      throw InputError(fmt::format(
-          "setting '{}' is unknown to the models {}; {}known settings: {}", key, fmt::join(models, ", "),
-          near.empty() ? "" : fmt::format("did you mean '{}'? ", near), fmt::join(known, ", ")));
+      throw InputError(message(NC_("core", "setting '{}' is unknown to the models {}; {}known settings: {}"),
+                               key, fmt::format("{}", fmt::join(models, ", ")),
+                               near.empty() ? Message() : message(NC_("core", "did you mean '{}'? "), near),
+                               fmt::format("{}", fmt::join(known, ", "))));
     }
   }
 }

@@ -22,16 +22,18 @@ void check_keys(const StudyRequest& request) {
     const std::string& key = request.sweeps[i].key;
     for (std::size_t k = 0; k < i; ++k) {
       if (request.sweeps[k].key == key) {
-        throw InputError(fmt::format("'{}' is swept twice; write all its values into one sweep", key));
+        throw InputError(
+            message(NC_("core", "'{}' is swept twice; write all its values into one sweep"), key));
       }
     }
     for (const std::string& assignment : request.assignments) {
       if (assigned_key(assignment) == key) {
-        throw InputError(fmt::format("'{}' is both swept and set to a value; omit '{}'", key, assignment));
+        throw InputError(
+            message(NC_("core", "'{}' is both swept and set to a value; omit '{}'"), key, assignment));
       }
     }
     if (key == "tolerance" && !request.tolerances.empty()) {
-      throw InputError("the tolerance is both swept and set; omit --tolerance");
+      throw InputError(NC_("core", "the tolerance is both swept and set; omit --tolerance"));
     }
   }
 }
@@ -58,10 +60,11 @@ std::vector<std::string> models_that_know(const StudyRequest& request) {
     });
     if (models.empty()) {
       const std::string near = nearest_name(sweep.key, known);
-      throw InputError(fmt::format(
-          "sweep of '{}': unknown to the models {}; {}known settings: {}", sweep.key, fmt::join(asked, ", "),
-          near.empty() || near == sweep.key ? "" : fmt::format("did you mean '{}'? ", near),
-          fmt::join(known, ", ")));
+      throw InputError(message(
+          NC_("core", "sweep of '{}': unknown to the models {}; {}known settings: {}"), sweep.key,
+          fmt::format("{}", fmt::join(asked, ", ")),
+          near.empty() || near == sweep.key ? Message() : message(NC_("core", "did you mean '{}'? "), near),
+          fmt::format("{}", fmt::join(known, ", "))));
     }
   }
   return models;

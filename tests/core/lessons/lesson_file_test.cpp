@@ -98,7 +98,7 @@ TEST_F(LessonFile, NamesAMissingKey) {
 TEST_F(LessonFile, NamesProgramMachineModelAndSettingThatAreNotThere) {
   expect_error(
       changed("lesson_right_angle.nc", "lesson_right_angel.nc"), ":8:",
-      "program 'lesson_right_angel.nc' is neither beside the lesson nor in resources/programs; did you mean "
+      "program 'lesson_right_angel.nc' is neither next to the lesson nor in resources/programs; did you mean "
       "'lesson_right_angle.nc'?");
   expect_error(changed("spinner-mvc850", "spiner-mvc850"), ":9:", "did you mean 'spinner-mvc850'?");
   expect_error(changed("\"essid\"", "\"esid\""), ":10:", "did you mean 'essid'?");
