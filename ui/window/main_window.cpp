@@ -356,6 +356,7 @@ void MainWindow::connect_lessons() {
   });
   connect(&desk_, &LessonDesk::view_wanted, this, &MainWindow::show_lesson);
   connect(presentation_, &Presentation::step_wanted, lessons_, &LessonView::step);
+  connect(presentation_, &Presentation::switched, lessons_, &LessonView::set_presenting);
   connect(lessons_, &LessonView::setting_wanted, this, [this](const QString& key) {
     dock_of(*setup_).show();
     dock_of(*setup_).raise();
