@@ -5,6 +5,7 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <string>
 
 #include "app/commands/command.h"
 #include "app/exit_codes.h"
@@ -33,9 +34,11 @@ std::string source_text(const Machine& machine, const std::string& key) {
   return (found->second.assumed ? "assumed: " : "") + found->second.source;
 }
 
+/// Seven digits: more are those of a conversion, such as 2 (m/min)/mm in 1/s.
 std::string value_text(const SettingValue& value) {
   const double* number = std::get_if<double>(&value);
-  return number != nullptr ? fmt::format("{}", *number) : std::get<std::string>(value);
+  return number != nullptr ? fmt::format("{}", std::stod(fmt::format("{:.7g}", *number)))
+                           : std::get<std::string>(value);
 }
 
 /// Unit of a key, and for a value that data sheets often give in another unit, the value in that: "m/s2 =

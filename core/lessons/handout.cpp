@@ -280,7 +280,12 @@ std::string answer_html(const Lesson& lesson, std::size_t index, const HandoutCo
   const Question& question = lesson.questions[index];
   std::string html = "<div class=\"answer\">\n";
   if (with_task) {
-    html += unbroken(task_html(question, index + 1, contents, lesson.language)) + figure_of(contents, index);
+    // A reference to a picture shown before stays with the question.
+    const std::string figure = figure_of(contents, index);
+    const bool is_picture = figure.find("<img") != std::string::npos;
+    html += unbroken(task_html(question, index + 1, contents, lesson.language) +
+                     (is_picture ? std::string() : figure)) +
+            (is_picture ? figure : std::string());
     html += fmt::format("<h3>{}</h3>\n", lesson_word("Answer", lesson.language));
   } else {
     html += fmt::format("<h2>{} {}</h2>\n", lesson_word("Question", lesson.language), index + 1);

@@ -12860,6 +12860,14 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <source>Complete the sentence; kept with the session and printed on the hand-out</source>
         <translation>Complétez la phrase ; elle est gardée avec la session et imprimée sur le polycopié</translation>
     </message>
+    <message>
+        <source>Next step</source>
+        <translation>Étape suivante</translation>
+    </message>
+    <message>
+        <source>Go on to the question</source>
+        <translation>Passer à la question</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::LoadFiguresTable</name>
@@ -13151,6 +13159,14 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     <message>
         <source>The run is shown once a prediction is written in the lesson.</source>
         <translation>La simulation est montrée une fois qu’une prédiction est écrite dans la leçon.</translation>
+    </message>
+    <message>
+        <source>The program is shown with the run, after the prediction.</source>
+        <translation>Le programme est montré avec la simulation, après la prédiction.</translation>
+    </message>
+    <message>
+        <source>Measuring the numbers of the lesson …</source>
+        <translation>Mesure des valeurs de la leçon …</translation>
     </message>
 </context>
 <context>
@@ -16394,6 +16410,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>change</source>
         <translation>variation</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>référence</translation>
     </message>
 </context>
 <context>

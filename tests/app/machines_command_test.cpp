@@ -62,6 +62,11 @@ TEST_F(MachinesCommand, ShowsUnitsOfDataSheetsToo) {
   EXPECT_THAT(run("machines spinner-mvc850").out, ContainsRegex("X.acceleration +1 +m/s2 = 0.102 g +Essid"));
   EXPECT_THAT(run("machines mikron-ucp710").out,
               ContainsRegex("X.kv +60 +1/s = 3.6 \\(m/min\\)/mm +assumed"));
+  std::string text = contents(fs::path(FEEDSCOPE_SOURCE_DIR) / "machines" / "mikron-ucp710.toml");
+  write("mine.toml",
+        text.replace(text.find("kv_1_s = { value = 60"), 21, "kv_1_s = { value = \"2 (m/min)/mm\""));
+  EXPECT_THAT(run("machines mine.toml").out,
+              ContainsRegex("X.kv +33.33333 +1/s = 2 \\(m/min\\)/mm +assumed"));
 }
 
 TEST_F(MachinesCommand, DrawsTheKinematicsOfMachinesWithRotaryAxes) {

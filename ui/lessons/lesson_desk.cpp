@@ -129,6 +129,7 @@ std::shared_ptr<const LessonDesk::OpenLesson> LessonDesk::read(const std::filesy
 
 void LessonDesk::open(const std::filesystem::path& file, bool then_set_up) {
   set_up_pending_ = then_set_up;
+  emit opening();
   opening_.start(
       [file, language = language_](JobControl& control) { return read(file, language, control.progress); },
       [this](const JobOutcome<std::shared_ptr<const OpenLesson>>& outcome) {
@@ -143,6 +144,7 @@ void LessonDesk::open(const std::filesystem::path& file, bool then_set_up) {
 void LessonDesk::take(const std::shared_ptr<const OpenLesson>& lesson) {
   open_ = lesson;
   question_ = 0;
+  former_ = workbench_.shown();
   find_programs();
   view_pending_ = false;
   emit opened();
@@ -151,10 +153,21 @@ void LessonDesk::take(const std::shared_ptr<const OpenLesson>& lesson) {
   if (!std::exchange(set_up_pending_, false)) {
     measure();
   } else if (awaits_prediction()) {
-    emit set_up_begins();
-    workbench_.close();
+    cover_window();
   } else {
     set_up_window();
+  }
+}
+
+/// Leaves no run of another lesson in view; machine, control and tolerance are those of the text.
+void LessonDesk::cover_window() {
+  try {
+    const LessonSetup start = set_up(open_->lesson, {});
+    emit set_up_begins();
+    workbench_.close();
+    workbench_.runs().replace({{0, {}, run_colour(0), true, state_of(start)}}, 0, start.setup.load);
+  } catch (const std::exception& error) {
+    report(error);
   }
 }
 
@@ -258,6 +271,7 @@ void LessonDesk::set_up_window() {
 void LessonDesk::choose_question(std::size_t number) {
   if (open_ != nullptr && number < open_->lesson.questions.size() && number != question_) {
     question_ = number;
+    former_ = workbench_.shown();
     find_programs();
     emit question_changed();
     measure();
@@ -324,11 +338,15 @@ void LessonDesk::measure() {
     return;
   }
   measuring_.start(
-      [open = open_, number = question_, shown, program = workbench_.file()](JobControl&) {
+      [open = open_, number = question_, shown, former = shown == former_.lock(),
+       program = workbench_.file()](JobControl&) {
         const Question& question = open->lesson.questions[number];
-        Measured result{measured_text(question.watch, shown->run, open->lesson.language), {}};
+        Measured result;
         if (auto value = tried_value(open->lesson, question, program, shown->run)) {
           result.tried = try_of(question, std::move(*value), shown->run);
+        }
+        if (result.tried || !former) {
+          result.text = measured_text(question.watch, shown->run, open->lesson.language);
         }
         return result;
       },

@@ -98,11 +98,13 @@ class LessonDesk : public QObject {
   /// Quantity that the question watches, in the language of the lesson.
   QString watched() const;
   /// Its value in the current run, with unit, formatted like the lesson's numbers; "" if it cannot be
-  /// measured.
+  /// measured, or the run is that of the former question.
   const QString& value() const { return value_; }
 
  signals:
   void listed();
+  /// A lesson is read and its numbers are measured; opened() or failed() follows.
+  void opening();
   void opened();
   /// The contents of the window are about to be replaced by the lesson's.
   void set_up_begins();
@@ -136,6 +138,7 @@ class LessonDesk : public QObject {
   static std::shared_ptr<const OpenLesson> read(const std::filesystem::path& file,
                                                 const std::string& language, Progress& progress);
   void take(const std::shared_ptr<const OpenLesson>& lesson);
+  void cover_window();
   void find_programs();
   void measure();
   Place place() const { return {open_->lesson.id, question_}; }
@@ -152,6 +155,8 @@ class LessonDesk : public QObject {
   std::shared_ptr<const OpenLesson> open_;
   std::set<std::filesystem::path> programs_;  ///< in which the current question can be measured
   std::size_t question_ = 0;
+  /// Shown when the question was chosen: its value is that of another question, unless this one asks for it.
+  std::weak_ptr<const ShownRun> former_;
   QString value_;
   bool view_pending_ = false;
   bool set_up_pending_ = false;

@@ -91,6 +91,7 @@ LessonView::LessonView(LessonDesk& desk, QWidget* parent)
       pages_(new QStackedWidget(this)),
       list_(make_browser(tr("Lessons"), this)),
       text_(make_browser(tr("Text of the lesson"), this)),
+      next_(new QPushButton(tr("Next step"), this)),
       number_(new QLabel(this)),
       question_(make_browser(tr("Question"), this)),
       control_(new QWidget(this)),
@@ -152,6 +153,9 @@ LessonView::LessonView(LessonDesk& desk, QWidget* parent)
     predict_->setEnabled(!own_prediction_->toPlainText().trimmed().isEmpty());
   });
   connect(predict_, &QPushButton::clicked, this, [this] { desk_.predict(own_prediction_->toPlainText()); });
+  next_->setToolTip(tr("Go on to the question"));
+  next_->hide();
+  connect(next_, &QPushButton::clicked, this, [this] { read_text(false); });
   connect(&desk_, &LessonDesk::cover_changed, this, &LessonView::show_cover);
   connect(&desk_, &LessonDesk::listed, this, &LessonView::show_list);
   connect(&desk_, &LessonDesk::opened, this, &LessonView::show_lesson);
@@ -253,7 +257,7 @@ void LessonView::lay_out() {
 /// Gives the text the height that the question with its tried values leaves, at least a third and no more
 /// than it needs, until the user moves the border. Hints and answers do not move it.
 void LessonView::share_height() {
-  if (shared_by_user_ || !isVisible() || shows_list()) {
+  if (shared_by_user_ || presenting_ || !isVisible() || shows_list()) {
     return;
   }
   const QWidget& upper = *halves_->widget(0);
@@ -279,7 +283,7 @@ int LessonView::height_for_lower() const {
   const int width = work_->viewport()->width();
   // Room for the first value, which then leaves the buttons in place.
   const int values = tried_->isHidden()
-                         ? tried_->sizeHint().height() + tries_->minimumHeight() + 2 * fontMetrics().height()
+                         ? tried_->sizeHint().height() + tries_->minimumHeight() + 3 * fontMetrics().height()
                          : 0;
   return all - work_->viewport()->height() + values +
          (question.hasHeightForWidth() ? question.totalHeightForWidth(width)
@@ -290,7 +294,7 @@ QWidget* LessonView::make_upper() {
   auto* upper = new QWidget(this);
   auto* buttons = new FlowLayout;
   buttons->setSpacing(4);
-  for (QPushButton* button : {set_up_, return_, make_button(list_action_, this)}) {
+  for (QPushButton* button : {set_up_, return_, make_button(list_action_, this), next_}) {
     buttons->addWidget(button);
   }
   auto* layout = new QVBoxLayout(upper);
@@ -437,6 +441,7 @@ void LessonView::show_lesson() {
     own_prediction_->setPlainText(desk_.draft());
   }
   at_transfer_ = false;
+  reading_ = true;
   show_cover();
 }
 
@@ -473,31 +478,50 @@ void LessonView::show_cover() {
   show_question();
 }
 
+void LessonView::set_presenting(bool on) {
+  presenting_ = on;
+  show_question();
+}
+
+void LessonView::read_text(bool on) {
+  reading_ = on;
+  show_question();
+}
+
+void LessonView::fold() {
+  halves_->widget(0)->setVisible(!presenting_ || reading_);
+  halves_->widget(1)->setVisible(!shows_text_alone());
+  next_->setVisible(presenting_);
+}
+
 void LessonView::step(bool forward) {
   const Lesson* lesson = desk_.lesson();
   if (lesson == nullptr) {
     return;
   }
   const bool covered = desk_.awaits_prediction();
-  QScrollBar& bar = *(covered ? text_->verticalScrollBar() : work_->verticalScrollBar());
-  if (forward && (covered || answer_action_->isChecked()) && bar.value() < bar.maximum()) {
+  const bool in_text = presenting_ ? shows_text_alone() : covered;
+  QScrollBar& bar = *(in_text ? text_->verticalScrollBar() : work_->verticalScrollBar());
+  if (forward && (in_text || answer_action_->isChecked()) && bar.value() < bar.maximum()) {
     bar.triggerAction(QAbstractSlider::SliderPageStepAdd);  // a class reads it to its end first
+  } else if (shows_text_alone()) {
+    read_text(!forward);
   } else if (covered) {
-    if (forward) {
-      desk_.reveal();
-    }
+    forward ? desk_.reveal() : read_text(true);
   } else if (!at_transfer_ && answer_action_->isChecked() != forward) {
     answer_action_->setChecked(forward);
   } else if ((forward ? after_action_ : before_action_)->isEnabled()) {
     go(forward);
-    answer_action_->setChecked(!forward);
+    answer_action_->setChecked(!forward && !shows_text_alone());
   }
 }
 
 void LessonView::go(bool forward) {
   const Lesson* lesson = desk_.lesson();
   const bool last = lesson != nullptr && desk_.question() + 1 == lesson->questions.size();
-  if (forward ? last : at_transfer_) {
+  if (!forward && !at_transfer_ && desk_.question() == 0) {
+    read_text(true);
+  } else if (forward ? last : at_transfer_) {
     at_transfer_ = forward;
     show_question();
   } else {
@@ -509,7 +533,9 @@ void LessonView::show_question() {
   const Lesson* lesson = desk_.lesson();
   const std::size_t count = lesson == nullptr || desk_.awaits_prediction() ? 0 : lesson->questions.size();
   const bool asks = count > 0 && !at_transfer_;
-  before_action_->setEnabled(count > 0 && (at_transfer_ || desk_.question() > 0));
+  reading_ = reading_ && !at_transfer_ && desk_.question() == 0;
+  fold();
+  before_action_->setEnabled(count > 0 && (at_transfer_ || desk_.question() > 0 || presenting_));
   after_action_->setEnabled(asks && (desk_.question() + 1 < count || !lesson->transfer.empty()));
   hint_action_->setEnabled(asks && !lesson->questions[desk_.question()].hint.empty());
   answer_action_->setEnabled(asks);

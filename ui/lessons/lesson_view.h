@@ -55,6 +55,8 @@ class LessonView : public Panel {
   /// The next or the previous step of the lesson before a class: the run without a prediction, then each
   /// question and its answer, then the sentence; a text that goes on below is read to its end first.
   void step(bool forward);
+  /// Before a class one thing is shown at a time: the text, the prediction, or a question.
+  void set_presenting(bool on);
   /// The lesson's answer, while it is shown.
   QTextBrowser& expected() { return *expected_; }
   QString measured() const;
@@ -81,12 +83,16 @@ class LessonView : public Panel {
   void make_own_value();
   void lay_out();
   void share_height();
+  /// Shows the text, the question below it, or both.
+  void fold();
   QWidget* make_upper();
   QWidget* make_lower();
   QWidget* make_prediction();
   QWidget* make_transfer();
   /// To the next question or the previous one; the sentence to complete comes after the last.
   void go(bool forward);
+  void read_text(bool on);
+  bool shows_text_alone() const { return presenting_ && reading_; }
   int height_for_lower() const;
   void show_list();
   void show_lesson();
@@ -107,6 +113,7 @@ class LessonView : public Panel {
   QTextBrowser* text_;
   QPushButton* set_up_;
   QPushButton* return_;
+  QPushButton* next_;
   QLabel* number_;
   QToolButton* before_;
   QToolButton* after_;
@@ -125,6 +132,8 @@ class LessonView : public Panel {
   QPlainTextEdit* transfer_;
   QWidget* transfer_page_ = nullptr;
   bool at_transfer_ = false;  ///< after the last question
+  bool presenting_ = false;
+  bool reading_ = true;  ///< while presenting_, the text is shown
   QWidget* tried_;
   TriesTable* tries_;
   QPlainTextEdit* own_answer_;

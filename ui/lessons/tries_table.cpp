@@ -56,7 +56,9 @@ class PairedDelegate : public QStyledItemDelegate {
     const QModelIndex change = index.siblingAtColumn(index.column() + 1);
     if (index.column() > 0 && change.isValid() && table_.isColumnHidden(change.column()) &&
         !change.data().toString().isEmpty()) {
-      option->text += QChar(QChar::LineSeparator) + QStringLiteral("%1 %").arg(change.data().toString());
+      const QString text = change.data().toString();
+      option->text +=
+          QChar(QChar::LineSeparator) + (index.row() == 0 ? text : QStringLiteral("%1 %").arg(text));
     }
   }
 
@@ -106,11 +108,14 @@ void TriesTable::show_work(const Question& question, const QString& watched, con
   int row = 0;
   for (const LessonTry& one : work.tries) {
     const LessonTry& first = work.tries.front();
+    const auto change = [&](const std::optional<double>& percent) {
+      return row > 0 ? change_text(percent) : tr("reference");
+    };
     QStringList cells{control_value_text(one.value), QLocale().toString(one.cycle_time, 'f', time_decimals),
-                      row == 0 ? QString() : change_text(change_percent(one.cycle_time, first.cycle_time))};
+                      change(change_percent(one.cycle_time, first.cycle_time))};
     if (!of_time) {
       cells += {one.measured ? QLocale().toString(*one.measured, 'f', spec.decimals) : QStringLiteral("–"),
-                row == 0 ? QString() : change_text(measured_change(one, first))};
+                change(measured_change(one, first))};
     }
     for (int column = 0; column < cells.size(); ++column) {
       QTableWidgetItem* cell = fixed_item(cells[column]);

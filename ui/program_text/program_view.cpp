@@ -284,6 +284,15 @@ void ProgramView::set_reading(bool reading) {
   viewport()->update();
 }
 
+void ProgramView::say_without_program(const QString& text) {
+  without_program_ = text;
+  viewport()->update();
+}
+
+QString ProgramView::text_without_program() const {
+  return without_program_.isEmpty() ? tr("Open an NC program (Ctrl+O), or drop one here.") : without_program_;
+}
+
 void ProgramView::changeEvent(QEvent* event) {
   QAbstractScrollArea::changeEvent(event);
   if (event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange) {
@@ -298,7 +307,7 @@ void ProgramView::paintEvent(QPaintEvent* event) {
     painter.drawText(viewport()->rect().adjusted(8, 6, -8, -6), Qt::TextWordWrap,
                      text_.program() != nullptr ? tr("The program is empty.")
                      : reading_                 ? tr("Reading the program …")
-                                                : tr("Open an NC program (Ctrl+O), or drop one here."));
+                                                : text_without_program());
     return;
   }
   const std::uint32_t last = std::min(last_visible_line(), line_at(event->rect().bottom()));

@@ -51,6 +51,9 @@ class ProgramView : public QAbstractScrollArea {
   void set_search(const TextSearch* search);
   /// Whether a program is being read, which is shown while there is no text.
   void set_reading(bool reading);
+  /// Text shown without a program instead of how to open one; empty: none.
+  void say_without_program(const QString& text);
+  QString text_without_program() const;
   const TextSearch* search() const { return search_; }
 
   const ProgramText& text() const { return text_; }
@@ -133,6 +136,7 @@ class ProgramView : public QAbstractScrollArea {
   ProgramMargin* margin_;
   OverviewStrip* overview_;
   bool reading_ = false;
+  QString without_program_;
   std::uint32_t current_ = 0;
   Caret caret_;
   std::uint32_t cells_ = 0;  ///< of the longest known line

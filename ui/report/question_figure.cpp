@@ -21,7 +21,7 @@ namespace {
 constexpr double question_chart_height = 150;  // [1/96 inch]
 constexpr double question_view_height = 210;
 constexpr std::size_t most_circles = 4;
-constexpr const char* causes_caption = "What limits the feed along the path: {}.";
+constexpr const char* causes_caption = "What limits the feed along the path";
 
 /// A caption of a picture in the language of the lesson.
 QString caption(const char* english, const Lesson& lesson, const std::string& what) {
@@ -137,9 +137,9 @@ QString view_figure(const Lesson& lesson, const Question& question, ReportInput 
     picture.paint(painter, QRectF(QPointF(), size), scale);
   };
   const std::string watched = title_of(question.watch, lesson.language);
-  const char* english = times ? "Where to look: {}." : causes_caption;
   return figure(pictures.add(name, {size, true, paint}, QString::fromStdString(watched)),
-                caption(english, lesson, watched));
+                times ? caption("Where to look: {}.", lesson, watched)
+                      : caption(causes_caption, lesson, watched) + QLatin1Char('.'));
 }
 
 QString polar_figure(const Lesson& lesson, const Question& question, const ProgramCircles& circles,

@@ -69,7 +69,7 @@ bool RunNotice::eventFilter(QObject* watched, QEvent* event) {
 
 void RunNotice::place() {
   const QSize room = parentWidget()->size();
-  const int height = std::max(sizeHint().height(), heightForWidth(room.width()));
+  const int height = hasHeightForWidth() ? heightForWidth(room.width()) : sizeHint().height();
   setGeometry(0, room.height() - height, room.width(), height);
   raise();
 }

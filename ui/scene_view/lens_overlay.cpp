@@ -99,10 +99,10 @@ void LensOverlay::follow() {
   update();
 }
 
-/// Requires that most of the view remains for the path.
+/// Requires that most of the view remains for the path, also that of a presentation with its large type.
 bool LensOverlay::has_room() const {
-  constexpr double times_wide = 3.6;
-  constexpr double times_high = 1.7;
+  constexpr double times_wide = 3.2;
+  constexpr double times_high = 1.4;
   const int usual = type_pixels(side);
   return view_.canvas().width() >= times_wide * usual && view_.canvas().height() >= times_high * usual;
 }

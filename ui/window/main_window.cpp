@@ -162,9 +162,11 @@ void MainWindow::make_centre() {
   layout->addWidget(scenes_, 1);
   auto* notice = new RunNotice(workbench_, *scenes_);
   connect(&desk_, &LessonDesk::cover_changed, notice, [this, notice] {
-    notice->say_without_program(desk_.awaits_prediction()
-                                    ? tr("The run is shown once a prediction is written in the lesson.")
-                                    : QString());
+    const bool covered = desk_.awaits_prediction();
+    notice->say_without_program(covered ? tr("The run is shown once a prediction is written in the lesson.")
+                                        : QString());
+    program_->view().say_without_program(
+        covered ? tr("The program is shown with the run, after the prediction.") : QString());
   });
   layout->addWidget(playback_);
   setCentralWidget(centre);
@@ -348,6 +350,9 @@ void MainWindow::connect_panels() {
 
 void MainWindow::connect_lessons() {
   connect(&desk_, &LessonDesk::failed, this, &MainWindow::show_failure);
+  connect(&desk_, &LessonDesk::opening, this,
+          [this] { statusBar()->showMessage(tr("Measuring the numbers of the lesson …")); });
+  connect(&desk_, &LessonDesk::opened, statusBar(), &QStatusBar::clearMessage);
   connect(&desk_, &LessonDesk::set_up_begins, session_, &WindowSession::set_aside);
   connect(session_, &WindowSession::aside_changed, lessons_, &LessonView::offer_return);
   connect(lessons_, &LessonView::return_wanted, this, [this] {
@@ -356,6 +361,7 @@ void MainWindow::connect_lessons() {
   });
   connect(&desk_, &LessonDesk::view_wanted, this, &MainWindow::show_lesson);
   connect(presentation_, &Presentation::step_wanted, lessons_, &LessonView::step);
+  connect(presentation_, &Presentation::switched, lessons_, &LessonView::set_presenting);
   connect(lessons_, &LessonView::setting_wanted, this, [this](const QString& key) {
     dock_of(*setup_).show();
     dock_of(*setup_).raise();

@@ -111,6 +111,23 @@ TEST_F(LessonDeskTest, AQuestionMayNeedAnotherProgram) {
       << desk.value().toStdString();
 }
 
+TEST_F(LessonDeskTest, TheRunOfAQuestionHasNoNumberForTheNext) {
+  QLocale::setDefault(QLocale::c());
+  open("1");
+  desk.set_up_window();
+  wait_for("1.81");
+  desk.move_control("cam");
+  wait_for("1.00");
+  desk.choose_question(1);
+  QTest::qWait(50);
+  EXPECT_EQ(desk.value(), "") << "the time of CAM is not that of an override";
+  desk.move_control("100");
+  wait_for("113.085 s");
+  desk.choose_question(0);
+  desk.move_control("ward");
+  wait_for("1.81");
+}
+
 /// Whatever program another lesson or the user has left in the window, no number of it is the lesson's.
 TEST_F(LessonDeskTest, ANumberIsOfTheLessonsOwnProgramOrNone) {
   open("6");
@@ -154,6 +171,8 @@ TEST_F(LessonDeskTest, ThePredictionComesBeforeTheRun) {
   EXPECT_EQ(begins.count(), 1) << "what was in the window is set aside";
   EXPECT_EQ(model.program(), nullptr) << "neither path nor charts of anything";
   EXPECT_TRUE(model.file().empty());
+  EXPECT_EQ(model.setup().setup().machine.id, "huron-kx10") << "the lesson's, of which the text speaks";
+  EXPECT_EQ(std::get<double>(model.setup().state().value("block_time_ms")), 1);
   desk.set_up_window();
   desk.move_control("1");
   desk.predict("  ");

@@ -127,6 +127,8 @@ TEST(Handout, MostQuestionsHaveAPicture) {
     static const QRegularExpression reference("<p class=\"caption\">[^<]* \\(<a href=\"#figure");
     pictures += of_causes + html.count(reference);
     EXPECT_EQ(html.count(QRegularExpression("Already shown: [^<]*</p>")), 0) << "each names its figure";
+    EXPECT_EQ(html.count(QRegularExpression("</a>\\)</p>\\s*<h3")), 0) << "and stays with its question";
+    EXPECT_FALSE(html.contains("along the path:")) << "a cycle time is no limit";
   }
   EXPECT_GT(2 * pictures, static_cast<qsizetype>(questions)) << pictures << " of " << questions;
 }

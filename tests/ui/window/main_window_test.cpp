@@ -30,6 +30,7 @@
 #include "ui/messages/diagnostics_view.h"
 #include "ui/playback/playback_bar.h"
 #include "ui/program_text/program_panel.h"
+#include "ui/runs/run_notice.h"
 #include "ui/runs/runs_view.h"
 #include "ui/setup/setup_view.h"
 #include "ui/why/why_view.h"
@@ -488,6 +489,23 @@ QAction* command(const MainWindow& window, const QString& text) {
     }
   }
   return nullptr;
+}
+
+/// No place of the window asks for a program that the lesson will open.
+TEST_F(MainWindowTest, ALessonSaysThatItsRunComesAfterThePrediction) {
+  LessonDesk& desk = window.part<LessonView>().desk();
+  QSignalSpy opened(&desk, &LessonDesk::opened);
+  desk.open(find_lesson("1"), true);
+  ASSERT_TRUE(opened.wait(patience));
+  const RunNotice& notice = *window.findChild<RunNotice*>();
+  EXPECT_EQ(notice.text(), "The run is shown once a prediction is written in the lesson.");
+  constexpr int lines = 3;
+  EXPECT_LT(notice.height(), lines * notice.fontMetrics().height()) << "a line with its margins";
+  EXPECT_EQ(window.part<ProgramPanel>().view().text_without_program(),
+            "The program is shown with the run, after the prediction.");
+  desk.predict("1 min");
+  wait_until_idle();
+  EXPECT_EQ(notice.text(), "");
 }
 
 TEST_F(MainWindowTest, ALessonSetsUpTheWindowAndLeadsToItsControl) {

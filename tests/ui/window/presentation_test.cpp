@@ -10,10 +10,12 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QStatusBar>
 #include <QTableView>
 #include <QTest>
+#include <QTextBrowser>
 #include <QToolBar>
 
 #include "core/base/data_folder.h"
@@ -108,9 +110,14 @@ TEST_F(PresentationTest, EveryLessonFitsEveryScreenAndLeavesThe3dViewAndChartsTh
       const QSize size = screen / window.devicePixelRatioF();
       window.resize(size);
       settle();
+      LessonView& shown = window.part<LessonView>();
       for (std::size_t question = 0; question < desk().lesson()->questions.size(); ++question) {
         desk().choose_question(question);
         settle();
+        for (int page = 0; page < 20 && !shown.question().isVisible(); ++page) {  // reads the text first
+          shown.step(true);
+          settle();
+        }
         SCOPED_TRACE(testing::Message() << lesson.filename() << ", question " << question + 1 << ", "
                                         << size.width() << " x " << size.height());
         ASSERT_EQ(window.size(), size) << "the window grew beyond the screen";
@@ -119,7 +126,13 @@ TEST_F(PresentationTest, EveryLessonFitsEveryScreenAndLeavesThe3dViewAndChartsTh
             EXPECT_TRUE(window.rect().contains(one->geometry())) << one->objectName().toStdString();
           }
         }
-        EXPECT_EQ(cut_part(window.part<LessonView>()), "");
+        EXPECT_EQ(cut_part(shown), "");
+        const QWidget& room = *shown.findChild<QScrollArea*>()->viewport();
+        for (const QWidget* part : QList<QWidget*>{&shown.question(), shown.values().back()}) {
+          EXPECT_TRUE(room.rect().contains(QRect(part->mapTo(&room, QPoint()), part->size())))
+              << "the question is cut";
+        }
+        EXPECT_EQ(shown.question().verticalScrollBar()->maximum(), 0);
         const double view = share_of(window.scenes(), window);
         const double charts = share_of(dock("charts"), window);
         EXPECT_GE(view, least_view);
@@ -224,11 +237,18 @@ TEST_F(PresentationTest, TheKeysOfAPresenterGoThroughTheLesson) {
   present(true);
   EXPECT_EQ(window.menuBar()->height(), 0);
   EXPECT_FALSE(window.statusBar()->isVisible());
+  EXPECT_FALSE(lesson.question().isVisible()) << "the text comes first";
+  for (int page = 0; page < 10 && !lesson.question().isVisible(); ++page) {
+    QTest::keyClick(&window, Qt::Key_PageDown);
+    settle();
+  }
   QTest::keyClick(&window, Qt::Key_PageDown);
+  settle();
   EXPECT_TRUE(lesson.answer_button().isChecked());
   lesson.own_answer().setFocus();
   for (int page = 0; page < 10 && desk().question() == 0; ++page) {
     QTest::keyClick(&lesson.own_answer(), Qt::Key_PageDown);  // reads the answer to its end first
+    settle();
   }
   EXPECT_EQ(desk().question(), 1U);
   QTest::keyClick(&lesson.own_answer(), Qt::Key_PageUp);
