@@ -10,7 +10,7 @@
 #include <numeric>
 
 #include "app/print.h"
-#include "core/analysis/notes/not_counted.h"
+#include "app/run_remarks.h"
 #include "core/analysis/notes/slower_tolerance.h"
 #include "core/analysis/notes/tolerance_effect.h"
 #include "core/analysis/run/source_figures.h"
@@ -129,26 +129,17 @@ void add_shares(Cells& cells, const ComparedRun& run, double AxisPeaks::*peak, d
   }
 }
 
-/// One line for each item that cycle times do not contain, with its machines.
-std::string not_counted_text(std::span<const ComparedRun> runs) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> texts;
+/// Remarks on the figures.
+std::string remarks_text(std::span<const ComparedRun> runs) {
+  using About = Remark::About;
+  std::vector<RemarkedSetup> remarked;
   for (const ComparedRun& run : runs) {
-    const std::string text = describe(run.summary.not_counted).english();
-    auto known = std::ranges::find(texts, text, [](const auto& entry) { return entry.first; });
-    if (known == texts.end()) {
-      known = texts.insert(texts.end(), {text, {}});
-    }
-    if (std::ranges::find(known->second, run.setup.machine.id) == known->second.end()) {
-      known->second.push_back(run.setup.machine.id);
-    }
+    remarked.push_back({&run.setup, run.remarks});
   }
   std::string out;
-  for (const auto& [text, machines] : texts) {
-    if (!text.empty()) {
-      out += texts.size() == 1
-                 ? fmt::format("\nNot in the cycle time: {}\n", text)
-                 : fmt::format("\nNot in the cycle time on {}: {}\n", fmt::join(machines, ", "), text);
-    }
+  for (const std::string& text :
+       remark_texts(remarked, {About::programmed, About::time, About::values, About::not_counted})) {
+    out += "\n" + wrapped(text, 0) + "\n";
   }
   return out;
 }
@@ -200,7 +191,7 @@ std::string comparison_text(const LoadedProgram& program, std::span<const Compar
   }
   std::string text =
       fmt::format("{}\n\n{}{}\nLargest values in percent of the limits\n{}\nTime by limiting cause\n{}",
-                  heading, times_table(runs), not_counted_text(runs), peaks_table(runs), causes_table(runs));
+                  heading, times_table(runs), remarks_text(runs), peaks_table(runs), causes_table(runs));
   const std::vector<ToleranceRun> all = tolerance_runs(runs);
   for (const SlowerTolerance& slower : slower_with_wider_tolerance(all)) {
     text += fmt::format("\n{}\n", wrapped(to_string(slower, all), 0));

@@ -9,7 +9,6 @@
 
 #include "app/option_text.h"
 #include "app/print.h"
-#include "core/analysis/notes/not_counted.h"
 #include "core/analysis/notes/refused_lines.h"
 #include "core/analysis/notes/remarks.h"
 #include "core/analysis/run/setup_options.h"
@@ -31,10 +30,10 @@ std::string gain_text(double seconds) {
   return fmt::format("{:.{}f} s", seconds, decimals_of_gain(seconds));
 }
 
-/// "Mean feed 1672.2 mm/min, without pauses of 4.000 s. "; empty if nothing moves.
+/// "Mean feed with rapids 1672.2 mm/min, without pauses of 4.000 s. "; empty if nothing moves.
 std::string mean_feed_text(const TimeUse& use) {
-  return use.mean_feed > 0 ? fmt::format("Mean feed {:.1f} mm/min{}. ", units::to_mm_min(use.mean_feed),
-                                         without_pauses_text(use.pauses()))
+  return use.mean_feed > 0 ? fmt::format("Mean feed with rapids {:.1f} mm/min{}. ",
+                                         units::to_mm_min(use.mean_feed), without_pauses_text(use.pauses()))
                            : "";
 }
 
@@ -358,10 +357,9 @@ std::string explanation_text(const Run& run, const TimeReport& report, const Pro
   if (is_refused(run) || !(use.cycle_time > 0)) {
     return out;
   }
-  if (const std::string missing = describe(run.summary.not_counted).english(); !missing.empty()) {
-    out += fmt::format("Not in the cycle time: {}\n", missing);
-  }
-  for (const Message& text : texts_about(remarks(run), {Remark::About::programmed, Remark::About::time})) {
+  using About = Remark::About;
+  for (const Message& text :
+       texts_about(remarks(run), {About::programmed, About::time, About::not_counted})) {
     out += wrapped(text.english(), 0) + "\n";
   }
   out += "\nWhat it consists of\n" + kinds_text(use);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <tuple>
 #include <vector>
 
 #include "app/print.h"
@@ -16,20 +15,6 @@ namespace {
 std::string error_text(const ComparedRun& run) {
   return fmt::format("{}contour error {}", run.summary.actual ? "actual " : "",
                      short_length(deciding_error(run.summary)));
-}
-
-/// For runs that can be chosen without the bound.
-std::string none_keeps_text(std::span<const ComparedRun> runs, std::span<const std::string> names,
-                            const std::vector<bool>& can, double within) {
-  std::size_t least = 0;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const auto rank = [&](std::size_t of) {
-      return std::tuple(!can[of], runs[of].lines_not_run, deciding_error(runs[of].summary));
-    };
-    least = rank(i) < rank(least) ? i : least;
-  }
-  return fmt::format("No run keeps a contour error of {}. The smallest is {}, with {}.", short_length(within),
-                     short_length(deciding_error(runs[least].summary)), names[least]);
 }
 
 std::string only_text(OnlyChoice why) {
@@ -57,7 +42,10 @@ std::string headline_text(std::span<const ComparedRun> runs, std::span<const std
   }
   const std::optional<Recommendation> taken = recommend(runs, within);
   if (!taken) {
-    return none_keeps_text(runs, names, can, *within);
+    const std::size_t least = *leading_run(runs, within);
+    return fmt::format("No run keeps a contour error of {}. The smallest is {}, with {}.",
+                       short_length(*within), short_length(deciding_error(runs[least].summary)),
+                       names[least]);
   }
   const ComparedRun& run = runs[taken->run];
   const std::string& name = names[taken->run];

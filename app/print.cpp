@@ -372,7 +372,7 @@ std::string summary_text(const Run& run) {
                             : own               ? "blend_tolerance_mm in place of P of G64"
                                                 : "none: not used by the model"});
   figures.add({"path length", fmt::format("{:.3f} mm", run.trajectory->path_length())});
-  figures.add({"mean feed", fmt::format("{:.1f} mm/min{}", units::to_mm_min(s.mean_feed),
+  figures.add({"mean feed", fmt::format("{:.1f} mm/min with rapids{}", units::to_mm_min(s.mean_feed),
                                         without_pauses_text(pauses_of(s)))});
   figures.add({"peak feed", fmt::format("{:.1f} mm/min", units::to_mm_min(s.peak_feed))});
   const std::string where =

@@ -55,12 +55,11 @@ std::string names_of(const std::vector<bool>& chosen, std::span<const RemarkedSe
 
 }  // namespace
 
-void note_remarks(std::span<const RemarkedSetup> runs) {
-  using About = Remark::About;
+std::vector<std::string> remark_texts(std::span<const RemarkedSetup> runs,
+                                      std::initializer_list<Remark::About> topics) {
   std::vector<std::pair<Message, std::vector<bool>>> notes;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    for (const Message& text :
-         texts_about(runs[i].remarks, {About::validity, About::path_control, About::drives})) {
+    for (const Message& text : texts_about(runs[i].remarks, topics)) {
       auto note = std::ranges::find(notes, text, &std::pair<Message, std::vector<bool>>::first);
       if (note == notes.end()) {
         note = notes.insert(notes.end(), {text, std::vector<bool>(runs.size())});
@@ -68,8 +67,17 @@ void note_remarks(std::span<const RemarkedSetup> runs) {
       note->second[i] = true;
     }
   }
+  std::vector<std::string> texts;
   for (const auto& [text, chosen] : notes) {
-    fmt::print(stderr, "feedscope: note: {}{}\n", names_of(chosen, runs), text.english());
+    texts.push_back(names_of(chosen, runs) + text.english());
+  }
+  return texts;
+}
+
+void note_remarks(std::span<const RemarkedSetup> runs) {
+  using About = Remark::About;
+  for (const std::string& text : remark_texts(runs, {About::validity, About::path_control, About::drives})) {
+    fmt::print(stderr, "feedscope: note: {}\n", text);
   }
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <initializer_list>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "app/run_options.h"
@@ -17,6 +19,9 @@ struct RemarkedSetup {
 /// Prints remarks that concern program, control and machine to standard error, each once, with the machines
 /// or models if it is not one on all `runs`. Those on figures are printed with these.
 void note_remarks(std::span<const RemarkedSetup> runs);
+/// The remarks on these topics, each once in a sentence of its own, likewise with its machines or models.
+std::vector<std::string> remark_texts(std::span<const RemarkedSetup> runs,
+                                      std::initializer_list<Remark::About> topics);
 
 /// Prints to standard error all that is to be known of one run: whether `asked` replaces the program's
 /// tolerances, the unused part of `reading`, note_remarks(), and print_messages().

@@ -12,6 +12,7 @@
 #include "app/print.h"
 #include "core/analysis/notes/slower_tolerance.h"
 #include "core/analysis/run/source_figures.h"
+#include "core/analysis/study/recommendation.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
 
@@ -118,7 +119,7 @@ std::string none_possible_text(std::span<const StudyRun> runs) {
 /// The possible run with the least error; if none is possible, one with the fewest refused lines.
 const StudyRun& min_error(std::span<const StudyRun> runs) {
   return *std::ranges::min_element(runs, {}, [](const StudyRun& run) {
-    return std::tuple(!run.is_possible(), run.lines_not_run, run.summary.cutting_contour_error);
+    return std::tuple(!run.is_possible(), run.lines_not_run, deciding_error(run.summary));
   });
 }
 
@@ -132,15 +133,14 @@ std::string no_difference_text(const Study& study, std::span<const StudyRun> cur
   if (is_jerk && !first.setup.model->guarantees(first.setup.settings).limits_jerk) {
     text += fmt::format(" Model {} limits no jerk and does not use it.", first.setup.model->info().id);
   }
-  const auto error = [](const StudyRun& run) {
-    return fmt::format("{:.4f}", run.summary.cutting_contour_error);
-  };
+  const auto error = [](const StudyRun& run) { return fmt::format("{:.4f}", deciding_error(run.summary)); };
+  const char* const actual = first.summary.actual ? "actual " : "";
   const StudyRun& least = min_error(curve);
   if (std::ranges::all_of(curve, [&](const StudyRun& run) { return error(run) == error(first); })) {
-    text += fmt::format(" The contour error is {} mm with all.", error(first));
+    text += fmt::format(" The {}contour error is {} mm with all.", actual, error(first));
   } else {
-    text +=
-        fmt::format(" The contour error is smallest at {}: {} mm.", setting_text(study, least), error(least));
+    text += fmt::format(" The {}contour error is smallest at {}: {} mm.", actual, setting_text(study, least),
+                        error(least));
   }
   return text + not_run_text(first.lines_not_run);
 }
@@ -153,17 +153,19 @@ std::string optimum_text(const Study& study, std::span<const StudyRun> runs) {
   if (best == nullptr) {
     const StudyRun& least = min_error(runs);
     return fmt::format("No value has a contour error within {} mm; the smallest is {:.4f} mm at {}.",
-                       *study.within, least.summary.cutting_contour_error, setting_text(study, least));
+                       *study.within, deciding_error(least.summary), setting_text(study, least));
   }
   const Summary& summary = best->summary;
   std::string where;
-  if (summary.cutting_contour_error > 0 && summary.cutting_contour_error == summary.max_contour_error) {
+  if (!summary.actual && summary.cutting_contour_error > 0 &&
+      summary.cutting_contour_error == summary.max_contour_error) {
     where = fmt::format(" (line {}, at {:.3f} s)", summary.worst_place.line, summary.worst_place.time);
   }
-  return fmt::format("Fastest{}: {} with {}, contour error {:.4f} mm{}.{}",
+  return fmt::format("Fastest{}: {} with {}, {}contour error {:.4f} mm{}.{}",
                      study.within ? fmt::format(" within {} mm", *study.within) : "",
-                     setting_text(study, *best), time_text(summary.cycle_time), summary.cutting_contour_error,
-                     where, not_run_text(best->lines_not_run));
+                     setting_text(study, *best), time_text(summary.cycle_time),
+                     summary.actual ? "actual " : "", deciding_error(summary), where,
+                     not_run_text(best->lines_not_run));
 }
 
 /// The limits at both ends of a curve; empty if an end is impossible.
@@ -248,7 +250,7 @@ std::string fastest_text(const Study& study) {
   if (best == nullptr) {
     const StudyRun& least = min_error(study.runs);
     return fmt::format("No run has a contour error within {} mm; the smallest is {:.4f} mm: {}.\n",
-                       *study.within, least.summary.cutting_contour_error, curve_title(study, least));
+                       *study.within, deciding_error(least.summary), curve_title(study, least));
   }
   return fmt::format("Fastest within {} mm: {}, {}.{}\n", *study.within, curve_title(study, *best),
                      time_text(best->summary.cycle_time), not_run_text(best->lines_not_run));

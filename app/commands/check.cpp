@@ -119,7 +119,7 @@ std::string facts_text(const Program& program, const ProgramFacts& facts) {
     table.add({"work offsets", offsets_text(program)});
   }
   if (const std::string events = describe(facts.not_counted).english(); !events.empty()) {
-    table.add({"times not given", events});
+    table.add({"not in the cycle time", events});
   }
   table.add({"calls", fmt::format("{}", program.call_count)});
   std::string label = "path control";

@@ -40,20 +40,42 @@ bool may_group_thousands(std::string_view text) {
   return comma >= 1 && comma <= 3 && digits.front() != '0' && count == 3;
 }
 
+/// Whether numbers with decimal points are separated by commas: "0.01,0.05".
+bool is_list(std::string_view text) {
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    if (!plain_number(text.substr(begin, end - begin))) {
+      return false;
+    }
+    begin = end + 1;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::string without_thousands_separators(std::string_view text) {
-  const std::size_t last = text.find_last_of(".,");
-  const bool has_both = text.find('.') != std::string_view::npos && text.find(',') != std::string_view::npos;
-  std::string plain;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '.' && text[i] != ',') {
-      plain += text[i];
-    } else if (has_both && i == last) {
-      plain += '.';
-    }
+  const std::size_t sign = text.find_first_not_of("+-");
+  const std::size_t first = text.find_first_of(".,");
+  if (sign == std::string_view::npos || first == std::string_view::npos || first <= sign ||
+      first > sign + 3 || text[sign] == '0') {
+    return {};
   }
-  return plain;
+  std::string plain(text.substr(0, first));
+  std::size_t at = first;
+  for (; at < text.size() && text[at] == text[first]; at += 4) {  // ",000"
+    const std::string_view group = text.substr(at + 1, 3);
+    if (group.size() < 3 || !std::ranges::all_of(group, is_digit)) {
+      return {};
+    }
+    plain += group;
+  }
+  if (at < text.size() && (text[at] == '.' || text[at] == ',')) {
+    plain += '.';
+    ++at;
+  }
+  plain += text.substr(at);
+  return plain_number(plain) ? plain : std::string();
 }
 
 TypedNumber typed_number(std::string_view text) {
@@ -66,10 +88,11 @@ TypedNumber typed_number(std::string_view text) {
     const std::string plain = without_thousands_separators(text);
     return {
         std::nullopt,
-        plain_number(plain)
+        !plain.empty()
             ? message(NC_("core", "a number has one decimal separator and no thousands separators; write {}"),
                       plain)
-            : Message()};
+        : is_list(text) ? NC_("core", "one number is expected here, not several")
+                        : Message()};
   }
   const std::optional<double> value = plain_number(with_point);
   if (value && may_group_thousands(text)) {

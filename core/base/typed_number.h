@@ -18,8 +18,8 @@ struct TypedNumber {
 /// comma is the decimal sign if it cannot be anything else ("0,05", "12,5"); "1,000" could be one or one
 /// thousand and is refused, as is every number with several commas, or a comma and a point.
 TypedNumber typed_number(std::string_view text);
-/// Removes thousands separators: "1000.5" for "1.000,5" and "1,000.5". If there are both points and commas,
-/// the last one is the decimal sign; all others are removed.
+/// A number without its thousands separators: "1000.5" for "1.000,5" and "1,000.5". "" for a text whose
+/// points and commas do not group thousands.
 std::string without_thousands_separators(std::string_view text);
 
 /// Reads one number of a list. Lists are separated by blanks or semicolons; a comma could be the decimal sign

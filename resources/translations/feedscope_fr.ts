@@ -289,6 +289,38 @@
         <source>No other run of the machine&apos;s own model can be taken.</source>
         <translation>Aucune autre simulation du modèle propre à la machine ne peut être retenue.</translation>
     </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>%1, %2 less than programmed (%3); %4.</source>
+        <translation>%1, %2 de moins que programmé (%3)&#xa0;; %4.</translation>
+    </message>
+    <message>
+        <source>%1, as long as programmed; %2.</source>
+        <translation>%1, comme programmé&#xa0;; %2.</translation>
+    </message>
+    <message>
+        <source>%1, of which %2 are lost (%3); %4.</source>
+        <translation>%1, dont %2 perdues (%3)&#xa0;; %4.</translation>
+    </message>
+    <message>
+        <source>The control refuses the program in all runs.</source>
+        <translation>La commande refuse le programme dans toutes les simulations.</translation>
+    </message>
+    <message>
+        <source>No run has the model of its machine: none is recommended.</source>
+        <translation>Aucune simulation n’a le modèle de sa machine&#xa0;: aucune n’est recommandée.</translation>
+    </message>
+    <message>
+        <source>The machine cannot turn its rotary axes as the program asks in any run.</source>
+        <translation>La machine ne peut tourner ses axes rotatifs comme le programme le demande dans aucune simulation.</translation>
+    </message>
+    <message>
+        <source>No run is possible: the control refuses the program, or the machine cannot turn its rotary axes as it asks.</source>
+        <translation>Aucune simulation n’est possible&#xa0;: la commande refuse le programme, ou la machine ne peut tourner ses axes rotatifs comme il le demande.</translation>
+    </message>
 </context>
 <context>
     <name>Faults</name>
@@ -665,6 +697,10 @@
     <message>
         <source>“%1” has more than one decimal separator or uses thousands separators; type %2.</source>
         <translation>«&#xa0;%1&#xa0;» a plus d’un séparateur décimal ou des séparateurs de milliers&#xa0;; saisissez %2.</translation>
+    </message>
+    <message>
+        <source>“%1” has more than one decimal separator; type one number.</source>
+        <translation>«&#xa0;%1&#xa0;» a plus d’un séparateur décimal&#xa0;; saisissez un seul nombre.</translation>
     </message>
 </context>
 <context>
@@ -1339,18 +1375,6 @@
         <translation>Endroit %1&#xa0;: lignes %2, perte %3 s.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;%1&lt;/b&gt; on %2 takes &lt;b&gt;%3&lt;/b&gt;, %4 times the programmed time of %5, at a mean feed of %6; in feed motions the path stays within &lt;b&gt;%7&lt;/b&gt; of the programmed one.</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt; sur %2&#xa0;: &lt;b&gt;%3&lt;/b&gt;, soit %4 fois le temps programmé de %5, à une avance moyenne de %6&#xa0;; en avance, la trajectoire reste à moins de &lt;b&gt;%7&lt;/b&gt; de celle du programme.</translation>
-    </message>
-    <message>
-        <source>All runs take %1.</source>
-        <translation>Toutes les simulations durent %1.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;%1&lt;/b&gt; is the fastest of %2 runs: &lt;b&gt;%3&lt;/b&gt; at a contour error of %4, &lt;b&gt;%5 % less time&lt;/b&gt; than %6 (%7, %8).</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt; est la plus rapide des %2 simulations&#xa0;: &lt;b&gt;%3&lt;/b&gt; avec une erreur de contour de %4, soit &lt;b&gt;%5&#xa0;% de temps en moins&lt;/b&gt; que %6 (%7, %8).</translation>
-    </message>
-    <message>
         <source>Velocity</source>
         <translation>Vitesse</translation>
     </message>
@@ -1365,10 +1389,6 @@
     <message>
         <source>Limited by</source>
         <translation>Limité par</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;%1.&lt;/b&gt; The messages are listed under Program.</source>
-        <translation>&lt;b&gt;%1.&lt;/b&gt; Les messages sont listés sous Programme.</translation>
     </message>
     <message>
         <source>Most of the time of %1 is limited by: %2.</source>
@@ -1719,10 +1739,6 @@
         <translation>× temps programmé</translation>
     </message>
     <message>
-        <source>mean feed, %1</source>
-        <translation>avance moy., %1</translation>
-    </message>
-    <message>
         <source>peak feed, %1</source>
         <translation>avance max., %1</translation>
     </message>
@@ -1925,20 +1941,8 @@
         <translation>Limite ou réglage</translation>
     </message>
     <message>
-        <source>Lines that the control refuses and that are not run: %1.</source>
-        <translation>Lignes que la commande refuse et qui ne sont pas exécutées&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>The control refuses the program: &lt;b&gt;%1&lt;/b&gt; on %2 runs none of its feed motions.</source>
-        <translation>La commande refuse le programme&#xa0;: &lt;b&gt;%1&lt;/b&gt; sur %2 n’exécute aucun de ses déplacements en avance.</translation>
-    </message>
-    <message>
         <source>refused</source>
         <translation>refusée</translation>
-    </message>
-    <message>
-        <source>Runs of which the control refuses more lines or that the machine does not reach, and that are not compared: %1.</source>
-        <translation>Simulations dont la commande refuse plus de lignes ou que la machine n’atteint pas, et qui ne sont pas comparées : %1.</translation>
     </message>
     <message>
         <source>From %1 s to %2 s of %3 s.</source>
@@ -1979,18 +1983,6 @@
     <message>
         <source>Line %1.</source>
         <translation>Ligne %1.</translation>
-    </message>
-    <message>
-        <source>actual contour error %1</source>
-        <translation>erreur de contour réelle %1</translation>
-    </message>
-    <message>
-        <source>contour error %1</source>
-        <translation>erreur de contour %1</translation>
-    </message>
-    <message>
-        <source>%1, of which %2 are lost (%3); %4.</source>
-        <translation>%1, dont %2 perdues (%3)&#xa0;; %4.</translation>
     </message>
     <message>
         <source>Line %1: %2</source>
@@ -2173,10 +2165,6 @@
         <translation>Le pire&#xa0;: %1, %2 perdues, %3 au lieu de %4 %5.</translation>
     </message>
     <message>
-        <source>Another: %1, %2 lost, %3 of %4 %5.</source>
-        <translation>Un autre&#xa0;: %1, %2 perdues, %3 au lieu de %4 %5.</translation>
-    </message>
-    <message>
         <source>Executed path of %1.</source>
         <translation>Trajectoire exécutée de %1.</translation>
     </message>
@@ -2227,6 +2215,30 @@
     <message>
         <source>The contour error is above the bound of %1.</source>
         <translation>L’erreur de contour dépasse la borne de %1.</translation>
+    </message>
+    <message>
+        <source>Another place of %1</source>
+        <translation>Un autre lieu de %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 lost, %3 of %4 %5.</source>
+        <translation>%1, %2 perdues, %3 au lieu de %4 %5.</translation>
+    </message>
+    <message>
+        <source>Pictures and places are those of %1, which the recordings or the range belong to.</source>
+        <translation>Les images et les lieux sont ceux de %1, auxquels appartiennent les enregistrements ou la plage.</translation>
+    </message>
+    <message>
+        <source>The control refuses the program: none of its feed motions is run.</source>
+        <translation>La commande refuse le programme&#xa0;: aucun de ses déplacements en avance n’est exécuté.</translation>
+    </message>
+    <message>
+        <source>Mean feed with rapids</source>
+        <translation>Avance moyenne, rapides compris</translation>
+    </message>
+    <message>
+        <source>mean feed with rapids, %1</source>
+        <translation>avance moy. avec rapides, %1</translation>
     </message>
 </context>
 <context>
@@ -2556,20 +2568,20 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>Mean feed %1, without pauses of %2 s.</source>
-        <translation>Avance moyenne %1, sans les pauses de %2&#xa0;s.</translation>
-    </message>
-    <message>
-        <source>Mean feed %1.</source>
-        <translation>Avance moyenne %1.</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;The control refuses the program:&lt;/b&gt; none of its feed motions is run, and there is no cycle time to explain. Lines that are not run: %1.</source>
         <translation>&lt;b&gt;La commande refuse le programme&#xa0;:&lt;/b&gt; aucun de ses déplacements en avance n’est exécuté, il n’y a pas de temps de cycle à expliquer. Lignes non exécutées&#xa0;: %1.</translation>
     </message>
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Mean feed with rapids %1, without pauses of %2 s.</source>
+        <translation>Avance moyenne %1, rapides compris, sans les pauses de %2&#xa0;s.</translation>
+    </message>
+    <message>
+        <source>Mean feed with rapids %1.</source>
+        <translation>Avance moyenne %1, rapides compris.</translation>
     </message>
 </context>
 <context>
@@ -3080,6 +3092,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>The block is %1 long and takes the control at least %2 to prepare: longer blocks, with fewer points, are faster.</source>
         <translation>Le bloc fait %1 et la commande met au moins %2 à le préparer : des blocs plus longs, avec moins de points, sont plus rapides.</translation>
+    </message>
+    <message>
+        <source>less than 1 %</source>
+        <translation>moins de 1&#xa0;%</translation>
     </message>
 </context>
 <context>
@@ -10304,6 +10320,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>; did you mean &apos;{}&apos;?</source>
         <translation>&#xa0;; vouliez-vous dire «&#xa0;{}&#xa0;»&#xa0;?</translation>
     </message>
+    <message>
+        <source>one number is expected here, not several</source>
+        <translation>un seul nombre est attendu ici, pas plusieurs</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>
@@ -11457,24 +11477,8 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>%1 simulations calculées sur %2.</translation>
     </message>
     <message>
-        <source>The control refuses the program in all runs.</source>
-        <translation>La commande refuse le programme dans toutes les simulations.</translation>
-    </message>
-    <message>
-        <source>The machine cannot turn its rotary axes as the program asks in any run.</source>
-        <translation>La machine ne peut tourner ses axes rotatifs comme le programme le demande dans aucune simulation.</translation>
-    </message>
-    <message>
         <source>Open a program to see what its time is lost to.</source>
         <translation>Ouvrez un programme pour voir à quoi son temps se perd.</translation>
-    </message>
-    <message>
-        <source>%1, of which %2 are lost (%3).</source>
-        <translation>%1, dont %2 perdus (%3).</translation>
-    </message>
-    <message>
-        <source>Lost: against the programmed feed (%1).</source>
-        <translation>Perdus&#xa0;: par rapport à l’avance programmée (%1).</translation>
     </message>
     <message>
         <source>Run</source>
@@ -11483,10 +11487,6 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     <message>
         <source>Time</source>
         <translation>Temps</translation>
-    </message>
-    <message>
-        <source>Gain</source>
-        <translation>Gain</translation>
     </message>
     <message>
         <source>cancelled</source>
@@ -11541,6 +11541,16 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>Error %1</source>
         <translation>Erreur %1</translation>
+    </message>
+    <message>
+        <source>Programmed: %1, at the programmed feed.</source>
+        <translation>Programmé&#xa0;: %1, à l’avance programmée.</translation>
+    </message>
+    <message>
+        <source>Against
+%1</source>
+        <translation>Par rapport
+à %1</translation>
     </message>
 </context>
 <context>
@@ -14573,10 +14583,6 @@ Ensemble&#xa0;: %4</translation>
         <translation>Erreur</translation>
     </message>
     <message>
-        <source>Mean feed: executed path over cycle time without dwells</source>
-        <translation>Avance moyenne&#xa0;: trajectoire exécutée divisée par le temps de cycle sans temporisations</translation>
-    </message>
-    <message>
         <source>Contour tolerance in force, from the program or the setting</source>
         <translation>Tolérance de contour en vigueur, du programme ou du réglage</translation>
     </message>
@@ -14623,6 +14629,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>★ The run to take: %1</source>
         <translation>★ La simulation à retenir&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Mean feed with rapids: executed path over cycle time without dwells</source>
+        <translation>Avance moyenne, rapides compris&#xa0;: trajectoire exécutée divisée par le temps de cycle sans les pauses</translation>
     </message>
 </context>
 <context>
@@ -15723,10 +15733,6 @@ Ensemble&#xa0;: %4</translation>
         <translation>Temps de cycle</translation>
     </message>
     <message>
-        <source>Mean feed</source>
-        <translation>Avance moyenne</translation>
-    </message>
-    <message>
         <source>Error</source>
         <translation>Erreur</translation>
     </message>
@@ -15745,6 +15751,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>out of reach</source>
         <translation>hors de portée</translation>
+    </message>
+    <message>
+        <source>Mean feed with rapids</source>
+        <translation>Avance moyenne, rapides compris</translation>
     </message>
 </context>
 <context>
@@ -15920,6 +15930,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>no possible run</source>
         <translation>aucune simulation possible</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3 with %4, actual contour error %5. %6</source>
+        <translation>%1&#xa0;: %2 %3 avec %4, erreur de contour réelle %5. %6</translation>
     </message>
 </context>
 <context>

@@ -462,7 +462,7 @@ TEST_F(CommandLine, TheMeanFeedIsThatOfTheMotion) {
   write("pause.nc", "G21 G90 G1 X100 F3000\nG4 P1500\nX0\n");
   EXPECT_THAT(run("simulate pause.nc --model cam").out,
               AllOf(HasSubstr("cycle time        5.500 s"),
-                    HasSubstr("mean feed         3000.0 mm/min, without pauses of 1.500 s")));
+                    HasSubstr("mean feed         3000.0 mm/min with rapids, without pauses of 1.500 s")));
   EXPECT_THAT(run("simulate corner.nc --model cam").out, Not(HasSubstr("pauses")));
 }
 

@@ -39,7 +39,7 @@ constexpr double largest_bound = 1;   // [mm]
 constexpr std::size_t most_causes = 4;
 constexpr std::size_t most_rows = 8;  // of the table that are visible at once
 constexpr int margin = 8;
-enum Column { name_column, time_column, gain_column, error_column, column_count };
+enum Column { name_column, time_column, against_column, error_column, column_count };
 
 QLabel* make_text(QWidget* parent, int pixels, bool bold = false) {
   auto* label = new QLabel(parent);
@@ -301,25 +301,19 @@ void DecideView::choose_best() {
   }
 }
 
-QString DecideView::without_decision() const {
+QString DecideView::progress_text() const {
   const std::size_t count = runs_.items().size();
   std::size_t done = 0;
   std::size_t given_up = 0;
-  std::size_t refused = 0;
   for (std::size_t row = 0; row < count; ++row) {
     const RunStatus status = runs_.status(row);
     done += status == RunStatus::simulated ? 1 : 0;
     given_up += status == RunStatus::cancelled || status == RunStatus::failed ? 1 : 0;
-    refused += status == RunStatus::simulated && is_refused(runs_.result(row)->run) ? 1 : 0;
   }
   if (given_up > 0) {
     return tr("%1 of %2 runs are simulated; %3 were cancelled or failed.").arg(done).arg(count).arg(given_up);
   }
-  if (done < count) {
-    return tr("%1 of %2 runs are simulated.").arg(done).arg(count);
-  }
-  return refused == count ? tr("The control refuses the program in all runs.")
-                          : tr("The machine cannot turn its rotary axes as the program asks in any run.");
+  return done < count ? tr("%1 of %2 runs are simulated.").arg(done).arg(count) : QString();
 }
 
 void DecideView::show_decision() {
@@ -337,17 +331,15 @@ void DecideView::show_decision() {
       waits = waits || runs_.status(row) == RunStatus::waiting;
     }
     if (headline.isEmpty() || waits) {
-      headline = without_decision();
+      headline = progress_text();
       rule.clear();
     }
   } else if (findings.shown() != nullptr && is_refused(findings.shown()->run)) {
     rule = TimeTexts::refusal(findings.shown()->run);
   } else if (findings.report() != nullptr) {
-    const TimeUse& use = findings.report()->use;
-    headline = tr("%1, of which %2 are lost (%3).")
-                   .arg(clock_text(use.cycle_time), clock_text(std::max(0.0, use.lost())),
-                        share_text(use.cycle_time > 0 ? std::max(0.0, use.lost()) / use.cycle_time : 0));
-    rule = tr("Lost: against the programmed feed (%1).").arg(clock_text(use.programmed_time));
+    const Summary& summary = findings.shown()->run.summary;
+    headline = DecisionTexts::single(summary);
+    rule = tr("Programmed: %1, at the programmed feed.").arg(clock_text(summary.programmed_time));
   }
   headline_->setText(headline);
   headline_->setVisible(!headline.isEmpty());
@@ -386,15 +378,16 @@ void DecideView::show_table() {
   const bool several = runs_.items().size() > 1;
   table_->setVisible(several);
   table_->clear();
-  table_->setHeaderLabels(
-      {tr("Run"), tr("Time"), tr("Gain"), tr("Error %1").arg(unit_of(Dimension::error)).replace(' ', '\n')});
+  const auto taken = recommended(runs_);
+  const std::size_t against = taken ? taken->against : 0;
+  table_->setHeaderLabels({tr("Run"), tr("Time"), tr("Against\n%1").arg(run_letter(against)),
+                           tr("Error %1").arg(unit_of(Dimension::error)).replace(' ', '\n')});
   for (int column = 1; column < column_count; ++column) {
     table_->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
   }
   if (several) {
-    const auto taken = recommended(runs_);
     for (std::size_t row = 0; row < runs_.items().size(); ++row) {
-      add_row(row, runs_.lettered_title(row), taken);
+      add_row(row, against, taken && taken->run == row);
     }
     table_->setCurrentItem(table_->topLevelItem(static_cast<int>(runs_.current())));
     const auto rows = static_cast<int>(std::min(most_rows, runs_.items().size()));
@@ -403,13 +396,13 @@ void DecideView::show_table() {
   showing_ = false;
 }
 
-void DecideView::add_row(std::size_t row, const QString& name, const std::optional<Recommendation>& taken) {
+void DecideView::add_row(std::size_t row, std::size_t against, bool taken) {
   auto* item = new QTreeWidgetItem(table_);
   const RunItem& run = runs_.items()[row];
   item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
   item->setCheckState(name_column, run.visible ? Qt::Checked : Qt::Unchecked);
   item->setIcon(name_column, line_icon(run, row, *this));
-  item->setText(name_column, name);
+  item->setText(name_column, runs_.lettered_title(row));
   item->setToolTip(name_column, runs_.title(run));
   const auto result = runs_.result(row);
   if (result == nullptr) {
@@ -423,12 +416,8 @@ void DecideView::add_row(std::size_t row, const QString& name, const std::option
     const Summary& summary = result->run.summary;
     item->setText(time_column, clock_text(summary.cycle_time));
     item->setText(error_column, number_text(deciding_error(summary), Dimension::error));
-    if (const auto against = taken ? runs_.result(taken->against) : nullptr) {
-      const double gain = against->run.summary.cycle_time - summary.cycle_time;
-      const bool same_lines =
-          result->run.input.lines_not_run.size() == against->run.input.lines_not_run.size();
-      item->setText(gain_column,
-                    row == taken->against || !same_lines ? QStringLiteral("–") : TimeTexts::change(-gain));
+    if (const auto other = runs_.result(against)) {
+      item->setText(against_column, DecisionTexts::against(result->run, other->run));
     }
     if (!keeps_bound(deciding_error(summary), runs_.error_bound())) {
       for (int column = 0; column < column_count; ++column) {
@@ -438,7 +427,7 @@ void DecideView::add_row(std::size_t row, const QString& name, const std::option
     }
   }
   QFont font = table_->font();
-  font.setBold(taken && taken->run == row);
+  font.setBold(taken);
   for (int column = 0; column < column_count; ++column) {
     item->setFont(column, font);
     if (column > 0) {

@@ -61,7 +61,7 @@ class DecideView : public Panel {
   void show_decision();
   void show_chart();
   void show_table();
-  void add_row(std::size_t row, const QString& name, const std::optional<Recommendation>& taken);
+  void add_row(std::size_t row, std::size_t against, bool taken);
   void show_causes();
   void show_help();
   void set_bound();
@@ -69,8 +69,8 @@ class DecideView : public Panel {
   void choose_best();
   void go_to_cause(std::size_t row);
   void try_change(const Remedy& remedy);
-  /// Reason why there is no decision, or not yet.
-  QString without_decision() const;
+  /// How many runs are simulated; "" if all are.
+  QString progress_text() const;
 
   Workbench& workbench_;
   RunList& runs_;

@@ -35,6 +35,9 @@ QString number_problem(const QString& text, const QLocale& locale) {
     return NumberText::tr("“%1” is not a number.").arg(text.trimmed());
   }
   const QString whole = QString::fromStdString(without_thousands_separators(plain.toStdString()));
+  if (whole.isEmpty()) {
+    return NumberText::tr("“%1” has more than one decimal separator; type one number.").arg(text.trimmed());
+  }
   if (plain.count(',') > 1 || plain.contains('.')) {
     return NumberText::tr("“%1” has more than one decimal separator or uses thousands separators; type %2.")
         .arg(text.trimmed(), whole);

@@ -61,10 +61,11 @@ QString TimeTexts::conclusion(const TimeReport& report, const Run& run) {
   }
   if (use.mean_feed > 0) {
     const QString feed = amount_text(use.mean_feed, Dimension::feed);
-    text += QLatin1Char(' ') +
-            (use.pauses() > nothing
-                 ? tr("Mean feed %1, without pauses of %2 s.").arg(feed, seconds_text(use.pauses()))
-                 : tr("Mean feed %1.").arg(feed));
+    text +=
+        QLatin1Char(' ') +
+        (use.pauses() > nothing
+             ? tr("Mean feed with rapids %1, without pauses of %2 s.").arg(feed, seconds_text(use.pauses()))
+             : tr("Mean feed with rapids %1.").arg(feed));
   }
   if (!report.slow.groups.empty() && report.slow.groups.front().loss > nothing) {
     const SlowGroup& most = report.slow.groups.front();

@@ -9,10 +9,12 @@
 #include <ranges>
 
 #include "core/analysis/contour/path_deviation.h"
+#include "core/analysis/notes/remarks.h"
 #include "core/analysis/study/recommendation.h"
 #include "core/analysis/time/ruled_instant.h"
 #include "core/export/export.h"
 #include "ui/annotations/annotation_text.h"
+#include "ui/language/in_language.h"
 #include "ui/language/language.h"
 #include "ui/page/page_columns.h"
 #include "ui/page/page_texts.h"
@@ -20,7 +22,9 @@
 #include "ui/page/run_nodes.h"
 #include "ui/scene/cause_colour.h"
 #include "ui/scene/colour_map.h"
+#include "ui/units/unit_system.h"
 #include "ui/why/why_text.h"
+#include "ui/workbench/decision.h"
 
 namespace feedscope::ui {
 namespace {
@@ -389,6 +393,11 @@ class PageWriter {
                                   {"lines_not_run", static_cast<qint64>(figures[i].lines_not_run)},
                                   {"competes", bool(can[i])},
                                   {"other_model", figures[i].is_possible() && !can[i]}};
+      QJsonArray texts;
+      for (const Remark& remark : remarks(input_.runs[i].shown->run, unit_system())) {
+        texts.append(in_language(remark.text));
+      }
+      run["remarks"] = texts;
       runs.append(run);
     }
     const QLocale locale;
@@ -413,6 +422,8 @@ class PageWriter {
         {"runs", runs},
         {"annotations", annotations_json(input_)},
         {"current", static_cast<qint64>(input_.current)},
+        {"without_choice",
+         leading_run(figures, std::nullopt) ? QString() : DecisionTexts::decision(figures, {}, {}).headline},
         {"within", input_.within ? QJsonValue(*input_.within) : QJsonValue()}};
     return data_.packed(description);
   }

@@ -44,7 +44,6 @@ constexpr PageText texts_of_page[] = {
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "Fit")},
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "Fit the path into the picture (F)")},
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "Front")},
-    {"ReportWords", QT_TRANSLATE_NOOP("ReportWords", "Gain")},
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "Go to the report below")},
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "Iso")},
     {"KinematicCharts", QT_TRANSLATE_NOOP("KinematicCharts", "Jerk")},
@@ -59,7 +58,7 @@ constexpr PageText texts_of_page[] = {
                                     "%1, feed within %2 of the largest")},
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "Look from here")},
     {"feedscope::ui::DecideView",
-     QT_TRANSLATE_NOOP("feedscope::ui::DecideView", "Lost: against the programmed feed (%1).")},
+     QT_TRANSLATE_NOOP("feedscope::ui::DecideView", "Programmed: %1, at the programmed feed.")},
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "Made with Feedscope %1. Simulated, not measured.")},
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "Max. error")},
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "Next worst place")},
@@ -116,7 +115,11 @@ constexpr PageText texts_of_page[] = {
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "rotary axes within %1 of their limits")},
     {"DecisionTexts",
      QT_TRANSLATE_NOOP("DecisionTexts", "No run keeps a contour error of %1. The smallest is %2, with %3.")},
-    {"ReportWords", QT_TRANSLATE_NOOP("ReportWords", "%1, of which %2 are lost (%3); %4.")},
+    {"DecisionTexts", QT_TRANSLATE_NOOP("DecisionTexts", "%1 %")},
+    {"DecisionTexts", QT_TRANSLATE_NOOP("DecisionTexts", "%1, %2 less than programmed (%3); %4.")},
+    {"DecisionTexts", QT_TRANSLATE_NOOP("DecisionTexts", "%1, as long as programmed; %2.")},
+    {"DecisionTexts", QT_TRANSLATE_NOOP("DecisionTexts", "%1, of which %2 are lost (%3); %4.")},
+    {"ReportWords", QT_TRANSLATE_NOOP("ReportWords", "Against %1")},
 };
 
 }  // namespace

@@ -1,12 +1,19 @@
 #include "ui/paper/pdf_file.h"
 
+#include <fmt/format.h>
+
 #include <QHashFunctions>
+#include <algorithm>
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <qpdf/Buffer.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFObjectHandle.hh>
 #include <qpdf/QPDFPageDocumentHelper.hh>
+#include <qpdf/QPDFTokenizer.hh>
 #include <qpdf/QPDFWriter.hh>
+#include <set>
 
 namespace feedscope::ui {
 
@@ -180,6 +187,94 @@ void set_properties(QPDF& pdf, const PdfProperties& properties) {
       "/ID");  // of Qt 6.8, different each time; the writer derives one from the contents
 }
 
+/// Rounds coordinates of paths to what a printer can show, and colours to what a screen can; QPdfWriter
+/// writes nine figures of each.
+class NumberRounding : public QPDFObjectHandle::TokenFilter {
+ public:
+  void handleToken(const QPDFTokenizer::Token& token) override {
+    operands_.push_back(token);
+    if (token.getType() == QPDFTokenizer::tt_word) {
+      write_operation(token.getRawValue());
+    }
+  }
+
+  void handleEOF() override { flush(std::nullopt); }
+
+ private:
+  static constexpr double visible = 0.01;  // [points]
+  static constexpr int colour_decimals = 3;
+
+  void write_operation(const std::string& name) {
+    static const std::set<std::string> paths{"m", "l", "c", "v", "y", "re"};
+    static const std::set<std::string> colours{"SCN", "scn", "RG", "rg"};
+    if (name == "q") {
+      scales_.push_back(scales_.back());
+    } else if (name == "Q" && scales_.size() > 1) {
+      scales_.pop_back();
+    } else if (name == "cm") {
+      scales_.back() *= largest_factor();
+    }
+    flush(paths.contains(name)     ? std::optional(path_decimals())
+          : colours.contains(name) ? std::optional(colour_decimals)
+                                   : std::nullopt);
+  }
+
+  /// Largest factor of the matrix whose numbers are the operands.
+  double largest_factor() const {
+    double largest = 0;
+    int numbers = 0;
+    for (const QPDFTokenizer::Token& token : operands_) {
+      if (is_number(token) && ++numbers <= 4) {
+        largest = std::max(largest, std::abs(std::stod(token.getValue())));
+      }
+    }
+    return largest;
+  }
+
+  int path_decimals() const {
+    int decimals = 0;
+    for (double step = scales_.back(); step > visible && decimals < most_decimals; step /= 10) {
+      ++decimals;
+    }
+    return decimals;
+  }
+
+  /// Writes the operation with its operands, those that are not whole with at most `decimals`.
+  void flush(std::optional<int> decimals) {
+    for (const QPDFTokenizer::Token& token : operands_) {
+      if (decimals && token.getType() == QPDFTokenizer::tt_real) {
+        write_number(std::stod(token.getValue()), *decimals);
+      } else {
+        writeToken(token);
+      }
+    }
+    operands_.clear();
+  }
+
+  void write_number(double value, int decimals) {
+    std::string text = fmt::format("{:.{}f}", value, decimals);
+    if (decimals > 0) {
+      text.erase(text.find_last_not_of('0') + 1);
+      text.erase(text.find_last_not_of('.') + 1);
+    }
+    TokenFilter::write(text == "-0" ? "0" : text);
+  }
+
+  static bool is_number(const QPDFTokenizer::Token& token) {
+    return token.getType() == QPDFTokenizer::tt_real || token.getType() == QPDFTokenizer::tt_integer;
+  }
+
+  static constexpr int most_decimals = 9;
+  std::vector<QPDFTokenizer::Token> operands_;  ///< since the last operation, with the blanks between
+  std::vector<double> scales_{1};               ///< points a unit, of each saved state
+};
+
+void round_numbers(QPDF& pdf) {
+  for (QPDFPageObjectHelper& page : QPDFPageDocumentHelper(pdf).getAllPages()) {
+    page.addContentTokenFilter(std::make_shared<NumberRounding>());
+  }
+}
+
 }  // namespace
 
 StableOrder::StableOrder() {
@@ -197,6 +292,7 @@ std::string finished_pdf(const std::string& bytes, const PdfProperties& properti
   add_outline(pdf, properties.outline);
   add_links(pdf, properties.links);
   add_tags(pdf, properties.tags);
+  round_numbers(pdf);
   QPDFWriter writer(pdf);
   writer.setOutputMemory();
   writer.setDeterministicID(true);

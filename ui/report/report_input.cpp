@@ -137,8 +137,8 @@ std::vector<ComparedRun> run_figures(const ReportInput& input) {
 ReportInput with_recommended_run(ReportInput input) {
   const bool of_current =
       !input.traces.empty() || input.identification.outcome != nullptr || input.charts.time;
-  const auto taken = of_current ? std::nullopt : recommend(run_figures(input), input.within);
-  input.current = taken ? taken->run : input.current;
+  const auto leading = of_current ? std::nullopt : leading_run(run_figures(input), input.within);
+  input.current = leading.value_or(input.current);
   return input;
 }
 

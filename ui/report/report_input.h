@@ -114,7 +114,7 @@ QString lettered_title(const ReportInput& input, std::size_t run);
 QString common_name(const ReportInput& input);
 /// The figures of the runs, in their order.
 std::vector<ComparedRun> run_figures(const ReportInput& input);
-/// `input` with the recommended run as its current one, unless something else depends on the current run:
+/// `input` with the leading_run() as its current one, unless something else depends on the current run:
 /// recordings, or a range of its time.
 ReportInput with_recommended_run(ReportInput input);
 

@@ -27,11 +27,9 @@ QString settings_block(const ReportInput& input);
 /// The models: title, reference, description and guarantees with the settings of the runs.
 QString models_block(const ReportInput& input);
 
-/// The fastest run, or the time of a single one; HTML.
-QString times_sentence(const ReportInput& input);
 /// The remarks on the runs, each once, with its runs if not all; small paragraphs.
 QString remarks_html(const ReportInput& input);
-/// One or two sentences with the main figures.
+/// Headline and verdict of the first page, main causes of the current run, remarks.
 QString summary_block(const ReportInput& input);
 /// Cycle time, feeds and contour error of each run.
 QString comparison_block(const ReportInput& input);

@@ -6,9 +6,8 @@
 #include <QTextDocument>
 #include <algorithm>
 
-#include "core/analysis/notes/not_counted.h"
 #include "core/analysis/notes/refused_lines.h"
-#include "core/analysis/run/control_dialect.h"
+#include "core/analysis/notes/remarks.h"
 #include "core/analysis/run/program_facts.h"
 #include "core/analysis/study/recommendation.h"
 #include "core/base/error.h"
@@ -27,6 +26,7 @@
 #include "ui/report/report_words.h"
 #include "ui/report/scene_picture.h"
 #include "ui/theme/fonts.h"
+#include "ui/units/unit_system.h"
 #include "ui/workbench/reading_faults.h"
 
 namespace feedscope::ui {
@@ -149,7 +149,7 @@ class SheetPainter {
          refused ? ReportWords::tr("refused") : clock_text(summary.cycle_time)},
         {ReportWords::tr("× programmed time"),
          ratio > 0 ? shown(significant_number(ratio, 3)) : QStringLiteral("–")},
-        {ReportWords::tr("mean feed, %1").arg(unit_of(Dimension::feed)),
+        {ReportWords::tr("mean feed with rapids, %1").arg(unit_of(Dimension::feed)),
          shown(fixed(summary.mean_feed, Dimension::feed))},
         {ReportWords::tr("peak feed, %1").arg(unit_of(Dimension::feed)),
          shown(fixed(summary.peak_feed, Dimension::feed))},
@@ -227,7 +227,7 @@ class SheetPainter {
   QString table_html() const {
     HtmlTable table("lrrrr", {40, 17, 13, 15, 15});
     table.add_head({ReportWords::tr("Run"), ReportWords::tr("Cycle time"), ReportWords::tr("To first [%]"),
-                    with_unit_of(ReportWords::tr("Mean feed"), Dimension::feed),
+                    with_unit_of(ReportWords::tr("Mean feed with rapids"), Dimension::feed),
                     with_unit_of(error_title(), Dimension::error)});
     const Run& first_run = input_.runs.front().shown->run;
     const double first = is_refused(first_run) ? 0 : first_run.summary.cycle_time;
@@ -261,13 +261,12 @@ class SheetPainter {
     const Run& run = input_.run().shown->run;
     const ModelInfo& model = run.setup.model->info();
     table.add({ReportWords::tr("Control model"), html_text(core_text(model.title))});
-    if (const Message events = describe(run.summary.not_counted); !events.empty()) {
-      table.add({ReportWords::tr("Not in the cycle time"), html_text(in_language(events))});
+    QString html = table.html();
+    for (const Message& text :
+         texts_about(remarks(run, unit_system()), {Remark::About::validity, Remark::About::not_counted})) {
+      html += QStringLiteral("<p>%1</p>").arg(html_text(in_language(text)));
     }
-    if (const auto mismatch = control_mismatch(run.setup.machine, program.dialect)) {
-      table.add({ReportWords::tr("Control"), html_text(in_language(describe(*mismatch)))});
-    }
-    return table.html();
+    return html;
   }
 
   /// The main limiting causes of the current run.
@@ -299,7 +298,8 @@ class SheetPainter {
     document.setDocumentMargin(0);
     document.setDefaultStyleSheet(
         QStringLiteral("body { color: %1 } table.data { border-collapse: collapse; margin-bottom: 8px }"
-                       "th { font-size: 9px; color: %2; border-bottom: 1px solid %3 }"
+                       "p { font-size: 10px; margin: 0 0 4px 0 } th { font-size: 9px; color: %2; "
+                       "border-bottom: 1px solid %3 }"
                        "td { font-size: 10px; border-bottom: 1px solid %3 }")
             .arg(colours_.text.name(), colours_.muted.name(), colours_.rule.name()));
     QString html = QStringLiteral("<body>%1</body>").arg(contents);

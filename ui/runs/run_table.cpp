@@ -424,7 +424,7 @@ QVariant RunTable::headerData(int section, Qt::Orientation orientation, int role
       QT_TR_NOOP("Contour tolerance in force, from the program or the setting"),
       QT_TR_NOOP("Cycle time [s, or min:s]; the star marks the fastest run within the error bound"),
       QT_TR_NOOP("Cycle time above that of the fastest run [%]"),
-      QT_TR_NOOP("Mean feed: executed path over cycle time without dwells"),
+      QT_TR_NOOP("Mean feed with rapids: executed path over cycle time without dwells"),
       QT_TR_NOOP("Largest distance of the executed path from the programmed one in feed motions")};
   const auto i = static_cast<std::size_t>(section);
   if (role == Qt::DisplayRole) {

@@ -3,6 +3,7 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "core/analysis/study/recommendation.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 #include "ui/study/study_chart.h"
@@ -56,7 +57,7 @@ StudyCurves study_curves(const Study& study) {
         curve.fastest.push_back(curve.points.size());
       }
       curve.points.push_back(
-          {run.swept.front() * unit.factor, run.summary.cycle_time, run.summary.cutting_contour_error});
+          {run.swept.front() * unit.factor, run.summary.cycle_time, deciding_error(run.summary)});
     }
     if (!curve.points.empty()) {
       shown.curves.push_back(std::move(curve));

@@ -11,6 +11,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/analysis/study/recommendation.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/significant.h"
 #include "ui/language/texts.h"
@@ -88,8 +89,8 @@ StudyMap map_of(const Study& study, std::span<const StudyRun> runs) {
   for (const std::size_t row : rows) {
     for (const std::size_t column : columns) {
       const std::size_t i = row * columns.size() + column;
-      map.cells.push_back({runs[i].summary.cycle_time, runs[i].summary.cutting_contour_error,
-                           runs[i].is_possible(), runs[i].lines_not_run, marks[i]});
+      map.cells.push_back({runs[i].summary.cycle_time, deciding_error(runs[i].summary), runs[i].is_possible(),
+                           runs[i].lines_not_run, marks[i]});
     }
   }
   return map;

@@ -104,7 +104,7 @@ QVariant StudyTable::headerData(int section, Qt::Orientation orientation, int ro
     case cycle_time:
       return tr("Cycle time");
     case mean_feed:
-      return with_unit_of(tr("Mean feed"), Dimension::feed);
+      return with_unit_of(tr("Mean feed with rapids"), Dimension::feed);
     case contour_error:
       return with_unit_of(tr("Error"), Dimension::error);
     case cause:

@@ -19,6 +19,7 @@
 #include <cmath>
 
 #include "core/analysis/notes/slower_tolerance.h"
+#include "core/analysis/study/recommendation.h"
 #include "core/base/error.h"
 #include "core/export/export.h"
 #include "core/machine/contour_tolerance.h"
@@ -382,11 +383,12 @@ QString StudyView::verdict() const {
   const QString lead = study_->within
                            ? tr("Fastest within %1").arg(amount_text(*study_->within, Dimension::error))
                            : tr("Fastest");
-  return tr("%1: %2 %3 with %4, contour error %5. %6")
+  return (best->summary.actual ? tr("%1: %2 %3 with %4, actual contour error %5. %6")
+                               : tr("%1: %2 %3 with %4, contour error %5. %6"))
       .arg(lead, key,
            (locale.toString(best->swept.front() * unit.factor, 'g', 5) + ' ' + unit.text).trimmed(),
-           clock_text(best->summary.cycle_time),
-           amount_text(best->summary.cutting_contour_error, Dimension::error), rest);
+           clock_text(best->summary.cycle_time), amount_text(deciding_error(best->summary), Dimension::error),
+           rest);
 }
 
 QString StudyView::ends_text() const {

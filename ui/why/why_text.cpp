@@ -66,10 +66,15 @@ QString of_symbol(const Reason& reason, Symbol symbol) {
   return found == nullptr ? QStringLiteral("–") : WhyText::number(found->value, dimension_of(symbol));
 }
 
+QString share_of(double share) {
+  constexpr double least = 0.01;
+  return share < least ? WhyText::tr("less than 1 %")
+                       : QStringLiteral("%1 %").arg(significant_number(100 * share, 3));
+}
+
 QString percent(const Reason& reason, Symbol symbol) {
   const Quantity* found = reason.formula.find(symbol);
-  return found == nullptr ? QStringLiteral("–")
-                          : QStringLiteral("%1 %").arg(significant_number(100 * found->value, 3));
+  return found == nullptr ? QStringLiteral("–") : share_of(found->value);
 }
 
 /// The share of an axis limit that turning leaves for changes of speed; "" for another formula.

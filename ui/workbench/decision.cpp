@@ -1,8 +1,11 @@
 #include "ui/workbench/decision.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/analysis/notes/refused_lines.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/language/signed_number.h"
 #include "ui/language/texts.h"
 
 namespace feedscope::ui {
@@ -25,6 +28,10 @@ Simulated simulated(const RunList& runs) {
   return found;
 }
 
+bool can_run(const Run& run) {
+  return !is_refused(run) && !is_out_of_reach(run);
+}
+
 }  // namespace
 
 std::optional<Recommendation> recommended(const RunList& runs) {
@@ -43,19 +50,48 @@ QString DecisionTexts::error(const Summary& summary) {
   return summary.actual ? tr("actual contour error %1").arg(amount) : tr("contour error %1").arg(amount);
 }
 
-QString DecisionTexts::none_keeps(std::span<const ComparedRun> runs, const QStringList& names, double bound) {
-  const std::vector<bool> can = can_be_chosen(runs);
-  std::optional<std::size_t> least;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (can[i] && (!least || deciding_error(runs[i].summary) < deciding_error(runs[*least].summary))) {
-      least = i;
-    }
+QString DecisionTexts::none_can(std::span<const ComparedRun> runs) {
+  if (std::ranges::all_of(runs, &ComparedRun::refused)) {
+    return tr("The control refuses the program in all runs.");
   }
+  if (std::ranges::any_of(runs, &ComparedRun::is_possible)) {
+    return tr("No run has the model of its machine: none is recommended.");
+  }
+  return std::ranges::all_of(runs, &ComparedRun::out_of_reach)
+             ? tr("The machine cannot turn its rotary axes as the program asks in any run.")
+             : tr("No run is possible: the control refuses the program, or the machine cannot turn its "
+                  "rotary axes as it asks.");
+}
+
+QString DecisionTexts::without_choice(std::span<const ComparedRun> runs, const QStringList& names,
+                                      std::optional<double> bound) {
+  const auto least = leading_run(runs, bound);
   return least ? tr("No run keeps a contour error of %1. The smallest is %2, with %3.")
-                     .arg(amount_text(bound, Dimension::error),
+                     .arg(amount_text(*bound, Dimension::error),
                           amount_text(deciding_error(runs[*least].summary), Dimension::error),
                           names[static_cast<qsizetype>(*least)])
-               : QString();
+               : none_can(runs);
+}
+
+QString DecisionTexts::against(const Run& run, const Run& other) {
+  const double time = other.summary.cycle_time;
+  const bool comparable = &run != &other && can_run(run) && can_run(other) && time > 0 &&
+                          run.input.lines_not_run.size() == other.input.lines_not_run.size();
+  return comparable ? tr("%1 %").arg(signed_number(100 * (run.summary.cycle_time / time - 1), 1))
+                    : QStringLiteral("–");
+}
+
+QString DecisionTexts::single(const Summary& summary) {
+  const double lost = summary.cycle_time - summary.programmed_time;
+  const double share = summary.cycle_time > 0 ? std::abs(lost) / summary.cycle_time : 0;
+  constexpr double rounding = 1e-6;  // of the cycle time
+  const QString time = clock_text(summary.cycle_time);
+  const QString rest = error(summary);
+  return share < rounding ? tr("%1, as long as programmed; %2.").arg(time, rest)
+         : lost > 0
+             ? tr("%1, of which %2 are lost (%3); %4.").arg(time, clock_text(lost), share_text(share), rest)
+             : tr("%1, %2 less than programmed (%3); %4.")
+                   .arg(time, clock_text(-lost), share_text(share), rest);
 }
 
 QString DecisionTexts::only(OnlyChoice why) {
@@ -87,9 +123,12 @@ Decision DecisionTexts::decision(const RunList& runs) {
 
 Decision DecisionTexts::decision(std::span<const ComparedRun> runs, const QStringList& names,
                                  std::optional<double> bound) {
+  if (runs.empty()) {
+    return {};
+  }
   const auto taken = recommend(runs, bound);
   if (!taken) {
-    return {bound ? none_keeps(runs, names, *bound) : QString(), {}};
+    return {without_choice(runs, names, bound), {}};
   }
   const Summary& summary = runs[taken->run].summary;
   const QString name = names[static_cast<qsizetype>(taken->run)];

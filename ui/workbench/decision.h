@@ -17,7 +17,7 @@ std::optional<Recommendation> recommended(const RunList& runs);
 
 /// The decision between runs for people, in the sentences of `compare`.
 struct Decision {
-  QString headline;  ///< the run to take, its gain and contour error; "" without a choice
+  QString headline;  ///< the run to take, its gain and contour error, or why none is recommended
   QString rule;      ///< reason for this run
 };
 
@@ -29,11 +29,20 @@ class DecisionTexts {
   /// The decision between several runs with these names; `bound`: on the contour error [mm].
   static Decision decision(std::span<const ComparedRun> runs, const QStringList& names,
                            std::optional<double> bound);
+  /// Cycle time of `run` against that of `other`: "−8.2 %"; "–" for the same run, and for runs of different
+  /// lines.
+  static QString against(const Run& run, const Run& other);
+  /// Headline for a single run: its cycle time, what of it is lost against the programmed time, its contour
+  /// error.
+  static QString single(const Summary& summary);
 
  private:
   static QString error(const Summary& summary);
   static QString only(OnlyChoice why);
-  static QString none_keeps(std::span<const ComparedRun> runs, const QStringList& names, double bound);
+  /// No run of them can be chosen, with any bound.
+  static QString none_can(std::span<const ComparedRun> runs);
+  static QString without_choice(std::span<const ComparedRun> runs, const QStringList& names,
+                                std::optional<double> bound);
 };
 
 }  // namespace feedscope::ui

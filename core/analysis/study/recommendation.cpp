@@ -1,6 +1,7 @@
 #include "core/analysis/study/recommendation.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace feedscope {
@@ -35,6 +36,16 @@ Recommendation::Reason reason_of(std::size_t choices, const ChoiceTimes& times) 
          : times.slowest <= times.fastest * (1 + worthwhile_share) ? no_difference
          : times.taken == times.fastest                            ? fastest
                                                                    : smallest_error;
+}
+
+std::vector<RunTime> times_of(std::span<const ComparedRun> runs) {
+  const std::vector<bool> can = can_be_chosen(runs);
+  std::vector<RunTime> times;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const Summary& summary = runs[i].summary;
+    times.push_back({summary.cycle_time, deciding_error(summary), runs[i].lines_not_run, can[i]});
+  }
+  return times;
 }
 
 }  // namespace
@@ -73,13 +84,22 @@ std::vector<bool> can_be_chosen(std::span<const ComparedRun> runs) {
 }
 
 std::optional<Recommendation> recommend(std::span<const ComparedRun> runs, std::optional<double> within) {
-  const std::vector<bool> can = can_be_chosen(runs);
-  std::vector<RunTime> times;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const Summary& summary = runs[i].summary;
-    times.push_back({summary.cycle_time, deciding_error(summary), runs[i].lines_not_run, can[i]});
-  }
+  const std::vector<RunTime> times = times_of(runs);
   return recommend(std::span<const RunTime>(times), within);
+}
+
+std::optional<std::size_t> leading_run(std::span<const ComparedRun> runs, std::optional<double> within) {
+  if (const auto taken = recommend(runs, within)) {
+    return taken->run;
+  }
+  const std::vector<RunTime> times = times_of(runs);
+  const std::vector<std::size_t> choices = runs_to_choose_from(times, std::nullopt);
+  if (choices.empty()) {
+    return std::nullopt;
+  }
+  return *std::ranges::min_element(choices, {}, [&](std::size_t run) {
+    return std::pair(times[run].contour_error, times[run].cycle_time);
+  });
 }
 
 bool another_model_is_faster(std::span<const ComparedRun> runs, const Recommendation& taken) {

@@ -45,6 +45,10 @@ std::vector<bool> can_be_chosen(std::span<const ComparedRun> runs);
 /// Recommends one of the compared runs; also none if no run can_be_chosen().
 std::optional<Recommendation> recommend(std::span<const ComparedRun> runs, std::optional<double> within);
 
+/// Index of the run that results are about: the recommended one; if none is within the bound, the one with
+/// the smallest contour error of those that could be chosen without it. None if no run can be chosen.
+std::optional<std::size_t> leading_run(std::span<const ComparedRun> runs, std::optional<double> within);
+
 /// Whether a run with another model than its machine's own would be faster than the recommended run.
 bool another_model_is_faster(std::span<const ComparedRun> runs, const Recommendation& taken);
 

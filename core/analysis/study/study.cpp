@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/analysis/study/fastest_runs.h"
+#include "core/analysis/study/recommendation.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 
@@ -97,7 +98,7 @@ std::vector<RunTime> times_of(std::span<const StudyRun> runs) {
   std::vector<RunTime> times;
   for (const StudyRun& run : runs) {
     times.push_back(
-        {run.summary.cycle_time, run.summary.cutting_contour_error, run.lines_not_run, run.is_possible()});
+        {run.summary.cycle_time, deciding_error(run.summary), run.lines_not_run, run.is_possible()});
   }
   return times;
 }
@@ -177,7 +178,7 @@ bool makes_no_difference(std::span<const StudyRun> runs, std::optional<double> w
            return run.is_possible() && run.lines_not_run == first.lines_not_run &&
                   std::abs(run.summary.cycle_time - first.summary.cycle_time) <=
                       rounding * first.summary.cycle_time &&
-                  keeps_bound(run.summary.cutting_contour_error, within);
+                  keeps_bound(deciding_error(run.summary), within);
          });
 }
 

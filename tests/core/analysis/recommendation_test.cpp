@@ -95,6 +95,20 @@ TEST(Recommendation, KnowsThatAnotherModelIsFaster) {
   EXPECT_FALSE(is_faster(0.9));
 }
 
+TEST(LeadingRun, IsTheRecommendedOneElseTheMostExactOfTheWholeProgram) {
+  std::vector<ComparedRun> runs{run_of("essid", 0.03), run_of("essid", 0.02), run_of("ward", 0.001),
+                                run_of("essid", 0.001)};
+  runs[0].summary.cycle_time = 0.9;
+  runs[3].lines_not_run = 1;
+  EXPECT_EQ(leading_run(runs, std::nullopt),
+            recommend(std::span<const ComparedRun>(runs), std::nullopt)->run);
+  ASSERT_FALSE(recommend(std::span<const ComparedRun>(runs), 0.01));
+  EXPECT_EQ(leading_run(runs, 0.01), 1u) << "C is of another model, D does not run a line";
+  runs = {run_of("ward", 0.01), run_of("cam", 0.01)};
+  EXPECT_FALSE(leading_run(runs, std::nullopt));
+  EXPECT_FALSE(leading_run({}, std::nullopt));
+}
+
 TEST(Recommendation, HoldsItsRuleOnRandomRuns) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> any(0, 1);

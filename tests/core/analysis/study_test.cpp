@@ -147,6 +147,22 @@ TEST(Study, MarksAllValuesThatAreEquallyFastAndNoneWhereAllAre) {
   EXPECT_THAT(fastest_marks(equal.runs, std::nullopt), ElementsAre(false, false));
 }
 
+/// As the recommendation has it.
+TEST(Study, WithDrivesTheBoundIsOnTheActualContourError) {
+  std::vector<StudyRun> runs(2);
+  for (StudyRun& run : runs) {
+    run.setup = make_setup({});
+    run.summary.cutting_contour_error = 0.01;
+    run.summary.actual.emplace().worst.error = 0.02;
+  }
+  runs[0].summary.cycle_time = 1;
+  runs[1].summary.cycle_time = 2;
+  runs[0].summary.actual->worst.error = 0.05;
+  EXPECT_EQ(fastest(runs, std::nullopt), &runs[0]);
+  EXPECT_EQ(fastest(runs, 0.03), &runs[1]);
+  EXPECT_EQ(fastest(runs, 0.015), nullptr);
+}
+
 TEST(Study, CausesAddUpToTheCycleTime) {
   const Study study = run_study(program_of("G1 X20 F3000\nY20\n"), request_of({"X.jerk=5;50"}, {"essid"}));
   for (const StudyRun& run : study.runs) {

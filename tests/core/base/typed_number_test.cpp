@@ -34,6 +34,14 @@ TEST(TypedNumber, IsRefusedWhereACommaCouldGroupThousands) {
   }
 }
 
+TEST(TypedNumber, AListIsNotTakenForGroupsOfThousands) {
+  for (const char* text :
+       {"0.002,0.01", "0.002,0.01,0.05,0.1", "1,2,3", "10.5,20.5", "1,000,00", "0,000,000"}) {
+    EXPECT_EQ(typed_number(text).problem, "one number is expected here, not several") << text;
+  }
+  EXPECT_EQ(typed_number("0.01,fine").problem.english(), "");
+}
+
 /// Over all ways to write a number with one comma: it is the number that the comma as a point gives, or
 /// refused; and it is refused exactly where leaving out the comma gives a number that people group so.
 TEST(TypedNumber, NeverTakesAFactor) {
@@ -57,7 +65,7 @@ TEST(TypedNumber, NeverTakesAFactor) {
 }
 
 TEST(TypedNumber, IsNothingElse) {
-  for (const char* text : {"", ",", "abc", "1.2.3", "1 mm", "0x10", "--1", "a,b", "1,2x"}) {
+  for (const char* text : {"", ",", "abc", "1.2.3", "1 mm", "0x10", "--1", "a,b", "1,2x", "1,2,", "1,.,3"}) {
     EXPECT_FALSE(typed_number(text).value) << text;
     EXPECT_EQ(typed_number(text).problem.english(), "") << text;
   }

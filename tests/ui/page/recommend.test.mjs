@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { changeText, clockText, gainText, numberText, shareText, useNumbers } from '../../../ui/page/web/numbers.js';
-import { recommend, whyOnly } from '../../../ui/page/web/recommend.js';
+import { changeText, clockText, gainText, numberText, shareText, signedPercent, useNumbers } from '../../../ui/page/web/numbers.js';
+import { leadingRun, recommend, whyOnly } from '../../../ui/page/web/recommend.js';
 
 const run = (time, error, more = {}) => ({ time, error, lines_not_run: 0, competes: true, ...more });
 
@@ -20,6 +20,13 @@ test('runs beyond the bound do not count, exactly on it they do', () => {
   assert.equal(recommend(runs, 0.0499).run, 0);
   assert.equal(recommend(runs, 0.0499).reason, 'only');
   assert.equal(recommend(runs, 0.001), null);
+});
+
+test('results are about the recommended run, else about that with the smallest error of the whole program', () => {
+  const runs = [run(120, 0.02), run(130, 0.01), run(110, 0.01), run(10, 0.001, { lines_not_run: 2 })];
+  assert.equal(leadingRun(runs, null), recommend(runs, null).run);
+  assert.equal(leadingRun(runs, 0.005), 2);
+  assert.equal(leadingRun([run(1, 0, { competes: false })], 0.005), null);
 });
 
 test('a run that is alone has a reason', () => {
@@ -47,6 +54,7 @@ test('numbers are written as the program writes them', () => {
   assert.deepEqual([0.0123, 0.158, 12.34, 59.94, 108.5].map(gainText), ['0.012 s', '0.158 s', '12.3 s', '59.9 s', '1:48.5']);
   assert.deepEqual([0.0002, 0.2, -4.92].map(changeText), ['0', '+0.200 s', '−4.9 s']);
   assert.deepEqual([0.08, 0.0118, 0.003, 1].map(shareText), ['8 %', '1.2 %', '0.3 %', '100 %']);
+  assert.deepEqual([-0.0818, 0.012, -0.0001, 0].map(signedPercent), ['−8.2', '+1.2', '0.0', '0.0']);
   assert.equal(numberText(-0.00001, 'error'), '0.0');
   useNumbers(',', { error: { text: 'µm', factor: 1000, decimals: 1 } });
   assert.equal(numberText(-0.0113, 'error'), '−11,3');

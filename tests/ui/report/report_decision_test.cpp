@@ -12,6 +12,7 @@
 #include "tests/ui/report/report_fixture.h"
 #include "ui/report/report.h"
 #include "ui/report/report_numbers.h"
+#include "ui/workbench/decision.h"
 
 namespace feedscope::ui {
 namespace {
@@ -71,6 +72,39 @@ TEST(ReportDecision, ABoundTakesAnotherRun) {
   ReportInput input = decision_runs(many_corners, {0.01, 0.1});
   input.within = deciding_error(summary_of(input.runs[0]));
   EXPECT_THAT(decision_page(input, "{{headline}}"), HasSubstr("A (0.01 mm): "));
+}
+
+TEST(ReportDecision, WithoutARunWithinTheBoundPagesShowTheOneThatIsNamed) {
+  ReportInput input = decision_runs(many_corners, {0.1, 0.01});
+  input.within = 0.5 * deciding_error(summary_of(input.runs[1]));
+  const std::string page = decision_page(input, "<h1>{{headline}}</h1>{{lettered_run}}{{summary}}");
+  EXPECT_THAT(page, AllOf(HasSubstr("No run keeps a contour error of"),
+                          HasSubstr("with B (0.01 mm).</h1>B (0.01 mm)"),
+                          HasSubstr("Most of the time of B (0.01 mm)")));
+}
+
+TEST(ReportDecision, RunsWithoutAChoiceSaySo) {
+  const LoadedProgram program = load_program(std::make_shared<const SourceText>("part.nc", many_corners));
+  ReportInput input;
+  input.runs = report_runs({make_shown(simulate_run(program, make_setup({"grbl-router", "essid", 0.01, {}}))),
+                            make_shown(simulate_run(program, make_setup({"grbl-router", "cam", {}, {}})))});
+  EXPECT_THAT(decision_page(input, "{{headline}}"), HasSubstr("No run has the model of its machine"));
+}
+
+TEST(ReportDecision, APathThatIsShortenedIsFasterThanProgrammed) {
+  EXPECT_THAT(DecisionTexts::single({.cycle_time = 9, .programmed_time = 10}).toStdString(),
+              HasSubstr("9.00 s, 1.00 s less than programmed (11 %); contour error"));
+  EXPECT_THAT(DecisionTexts::single({.cycle_time = 10, .programmed_time = 10}).toStdString(),
+              HasSubstr("10.0 s, as long as programmed; contour error"));
+  EXPECT_THAT(DecisionTexts::single({.cycle_time = 10, .programmed_time = 9}).toStdString(),
+              HasSubstr("10.0 s, of which 1.00 s are lost (10 %); contour error"));
+}
+
+TEST(ReportDecision, NothingLostHasNoHeading) {
+  const LoadedProgram program = load_program(std::make_shared<const SourceText>("part.nc", many_corners));
+  ReportInput input;
+  input.runs = report_runs({make_shown(simulate_run(program, make_setup({"", "cam", {}, {}})))});
+  EXPECT_THAT(decision_page(input, "{{losses}}"), Not(HasSubstr("Where time is lost")));
 }
 
 TEST(ReportDecision, OfARunAloneSaysWhetherItKeepsTheBound) {

@@ -3,8 +3,8 @@
 
 import { causeColour, causesOf } from './colouring.js';
 import { el, lineSample, svg } from './elements.js';
-import { amountText, changeText, clockText, inShownUnit, numberText, shareText, tickText, unitOf } from './numbers.js';
-import { mostExact, recommend, whyOnly } from './recommend.js';
+import { amountText, clockText, inShownUnit, numberText, shareText, signedPercent, tickText, unitOf } from './numbers.js';
+import { leadingRun, recommend, whyOnly } from './recommend.js';
 import { tr } from './texts.js';
 
 const width = 276;
@@ -25,13 +25,13 @@ const onlyText = (why) =>
     possible: () => tr('No other run can be taken.'),
   })[why]();
 
-/** {headline, rule}: the sentences of DecisionTexts. */
-export function decisionTexts(runs, taken, within) {
+/** {headline, rule}: the sentences of DecisionTexts; `withoutChoice`: that of runs none of which can be chosen. */
+export function decisionTexts(runs, taken, within, withoutChoice) {
   const choices = runs.map((run) => run.choice);
   const names = runs.map((run) => `${run.letter} (${run.name})`);
   if (!taken) {
-    const least = mostExact(choices);
-    if (within === null || least === null) return { headline: '', rule: '' };
+    const least = leadingRun(choices, within);
+    if (least === null) return { headline: withoutChoice, rule: '' };
     return {
       headline: tr(
         'No run keeps a contour error of %1. The smallest is %2, with %3.',
@@ -67,19 +67,28 @@ export function decisionTexts(runs, taken, within) {
   };
 }
 
-/** Of a single run: what of its time is lost. */
+/** Of a single run: DecisionTexts::single(). */
 export function singleTexts(run) {
-  const lost = Math.max(0, run.figures.cycle_time_s - run.figures.programmed_time_s);
-  return {
-    headline: tr(
-      '%1, of which %2 are lost (%3); %4.',
-      clockText(run.choice.time),
-      clockText(lost),
-      shareText(lost / run.choice.time),
-      errorText(run.choice),
-    ),
-    rule: tr('Lost: against the programmed feed (%1).', clockText(run.figures.programmed_time_s)),
-  };
+  const programmed = run.figures.programmed_time_s;
+  const { time } = run.choice;
+  const lost = time - programmed;
+  const share = time > 0 ? Math.abs(lost) / time : 0;
+  const error = errorText(run.choice);
+  const headline =
+    share < 1e-6
+      ? tr('%1, as long as programmed; %2.', clockText(time), error)
+      : lost > 0
+        ? tr('%1, of which %2 are lost (%3); %4.', clockText(time), clockText(lost), shareText(share), error)
+        : tr('%1, %2 less than programmed (%3); %4.', clockText(time), clockText(-lost), shareText(share), error);
+  return { headline, rule: tr('Programmed: %1, at the programmed feed.', clockText(programmed)) };
+}
+
+/** DecisionTexts::against(): the cycle time of a run against that of another. */
+export function againstText(run, other) {
+  const possible = ({ competes, other_model }) => competes || other_model;
+  const comparable =
+    run !== other && possible(run) && possible(other) && other.time > 0 && run.lines_not_run === other.lines_not_run;
+  return comparable ? tr('%1 %', signedPercent(run.time / other.time - 1)) : '\u2013';
 }
 
 export class Decide {
@@ -128,15 +137,16 @@ export class Decide {
     }
     const within = this.store.get('within');
     this.taken = recommend(this.page.runs.map((run) => run.choice), within);
-    const texts = decisionTexts(this.page.runs, this.taken, within);
+    const texts = decisionTexts(this.page.runs, this.taken, within, this.page.without_choice);
     this.headline.textContent = texts.headline;
     this.rule.textContent = texts.rule;
     this.draw(within);
     this.showTable(within);
-    this.showTime(this.page.runs[this.taken?.run ?? this.store.get('run')]);
+    const leading = leadingRun(this.page.runs.map((run) => run.choice), within);
+    this.showTime(this.page.runs[leading ?? this.store.get('run')]);
   }
 
-  /** A bar of what limits `run`, the longest named below. */
+  /** A bar of what limits `run`, the longest named below, then the remarks on the run. */
   showTime(run) {
     const causes = run.moves ? causesOf(this.page, run) : [];
     const colour = ({ cause }) => ({ background: causeColour(this.page, cause) });
@@ -151,6 +161,7 @@ export class Decide {
       ...causes.slice(0, mostCauses).map((one) =>
         el('div', { class: 'cause' }, el('i', { style: colour(one) }), ...text(one).map((part) => el('span', {}, part)), el('span', {}, shareText(one.share))),
       ),
+      ...run.remarks.map((text) => el('p', { class: 'rule' }, text)),
     );
   }
 
@@ -270,15 +281,14 @@ export class Decide {
 
   showTable(within) {
     const against = this.taken?.against ?? 0;
-    const head = [tr('Run'), '', tr('Time'), tr('Gain'), tr('Error %1', unitOf('error'))];
+    const head = [tr('Run'), '', tr('Time'), tr('Against %1', this.page.runs[against].letter), tr('Error %1', unitOf('error'))];
     const rows = this.page.runs.map((run, index) => {
       const { choice } = run;
-      const gain = choice.time - this.page.runs[against].choice.time;
       const beyond = within !== null && choice.error > within + 1e-9;
       const current = this.store.get('run') === index;
       const classes = [current && 'current', this.taken?.run === index && 'taken', beyond && 'beyond'];
       const cells = run.moves
-        ? [clockText(choice.time), index === against ? '\u2013' : changeText(gain), numberText(choice.error, 'error')]
+        ? [clockText(choice.time), againstText(choice, this.page.runs[against].choice), numberText(choice.error, 'error')]
         : [tr('refused'), '', ''];
       return el(
         'tr',

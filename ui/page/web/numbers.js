@@ -46,6 +46,13 @@ export function gainText(seconds) {
 export const changeText = (seconds) =>
   Math.abs(seconds) < 5e-4 ? '0' : (seconds < 0 ? '\u2212' : '+') + gainText(Math.abs(seconds));
 
+/** "−8.2", as signed_number() with one decimal. */
+export function signedPercent(share) {
+  const text = (100 * share).toFixed(1);
+  const size = text.replace('-', '');
+  return Number(text) === 0 ? localised(size) : (text === size ? '+' : '\u2212') + localised(size);
+}
+
 /** "8 %", below one percent to a figure that is not 0. */
 export function shareText(share) {
   const percent = 100 * share;

@@ -52,10 +52,14 @@ export function recommend(choices, within) {
   };
 }
 
-/** The run with the smallest error of those that compete; null where none does. */
-export function mostExact(choices) {
-  const runs = choices.map((choice, run) => ({ ...choice, run })).filter((run) => run.competes);
-  return runs.length ? smallest(runs, (run) => run.error).run : null;
+/** The run that results are about: leading_run() of core/analysis/study/recommendation; null without a choice. */
+export function leadingRun(choices, within) {
+  const taken = recommend(choices, within);
+  if (taken) return taken.run;
+  const runs = runsToChooseFrom(choices.map((choice, run) => ({ ...choice, run })), null);
+  if (runs.length === 0) return null;
+  const least = Math.min(...runs.map((run) => run.error));
+  return smallest(runs.filter((run) => run.error === least), (run) => run.time).run;
 }
 
 /** Why no other run can be chosen where recommend() has the reason 'only'; `choices` also have `other_model`. */

@@ -46,7 +46,8 @@ std::optional<CardPlace> unseen_place(const SlowGroup& group, const std::vector<
   return std::nullopt;
 }
 
-/// At most five groups; with fewer than three, further places.
+/// At most five groups, without those whose places are all in another card; with fewer than three, further
+/// places.
 std::vector<CardPlace> card_places(const TimeReport& report) {
   constexpr std::size_t most = 5;
   constexpr std::size_t least = 3;
@@ -54,9 +55,10 @@ std::vector<CardPlace> card_places(const TimeReport& report) {
   std::vector<CardPlace> cards;
   for (const SlowGroup& group : report.slow.groups) {
     if (cards.size() < most && group.loss >= worth_a_card * report.use.cycle_time) {
-      CardPlace card = unseen_place(group, cards).value_or(CardPlace{&group, 0});
-      card.leads = true;
-      cards.push_back(card);
+      if (auto card = unseen_place(group, cards)) {
+        card->leads = true;
+        cards.push_back(*card);
+      }
     }
   }
   const std::size_t groups = cards.size();
@@ -68,22 +70,35 @@ std::vector<CardPlace> card_places(const TimeReport& report) {
   return cards;
 }
 
-QString card_text(const ReportInput& input, const CardPlace& card, std::size_t number) {
+/// Number of the card that leads the group of `card`.
+std::size_t leading_card(const std::vector<CardPlace>& cards, const CardPlace& card) {
+  const auto leader =
+      std::ranges::find_if(cards, [&](const CardPlace& one) { return one.leads && one.group == card.group; });
+  return static_cast<std::size_t>(leader - cards.begin()) + 1;
+}
+
+QString card_text(const ReportInput& input, const std::vector<CardPlace>& cards, std::size_t number) {
+  const CardPlace& card = cards[number - 1];
   const Run& run = input.run().shown->run;
   const SlowGroup& group = *card.group;
   const SlowPlace& place = card.place();
-  QString html = QStringLiteral("<h3>%1. %2</h3>\n").arg(number).arg(html_text(TimeTexts::group(group)));
+  const QString title = card.leads ? html_text(TimeTexts::group(group))
+                                   : ReportWords::tr("Another place of %1").arg(leading_card(cards, card));
+  QString html = QStringLiteral("<h3>%1. %2</h3>\n").arg(number).arg(title);
   if (card.leads) {
     html +=
         paragraph(ReportWords::tr("<b>%1 lost</b>, %2 of all; %3.")
                       .arg(TimeTexts::gain(group.loss), TimeTexts::percent(group.loss, input.time->slow.loss),
                            html_text(TimeTexts::in_common(group))));
   }
-  const QString lines = place.first_line == place.last_line
-                            ? ReportWords::tr("line %1").arg(place.first_line)
-                            : ReportWords::tr("lines %1 to %2").arg(place.first_line).arg(place.last_line);
+  QString lines = place.first_line == place.last_line
+                      ? ReportWords::tr("line %1").arg(place.first_line)
+                      : ReportWords::tr("lines %1 to %2").arg(place.first_line).arg(place.last_line);
+  if (card.rank != 0) {
+    lines[0] = lines[0].toUpper();
+  }
   const QString text = card.rank == 0 ? ReportWords::tr("The worst: %1, %2 lost, %3 of %4 %5.")
-                                      : ReportWords::tr("Another: %1, %2 lost, %3 of %4 %5.");
+                                      : ReportWords::tr("%1, %2 lost, %3 of %4 %5.");
   html += paragraph(text.arg(lines, TimeTexts::gain(place.loss), fixed(place.feed, Dimension::feed),
                              fixed(place.programmed_feed, Dimension::feed), unit_of(Dimension::feed)));
   const Explanation why = explain(run, run.trajectory->state(ruled_instant(*run.trajectory, place)));
@@ -159,7 +174,7 @@ QString cards_block(const ReportInput& input, ReportPictures& pictures) {
         pictures.add_elastic(card_name(i + 1), card_picture_width, card_picture(input, cards[i], largest),
                              ReportWords::tr("Place %1").arg(i + 1));
     html +=
-        two_columns(card_text(input, cards[i], i + 1),
+        two_columns(card_text(input, cards, i + 1),
                     figure(picture, ReportWords::tr("Line %1.").arg(cards[i].place().line)), narrow_share);
   }
   return html;

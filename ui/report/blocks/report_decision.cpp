@@ -3,13 +3,11 @@
 #include <QApplication>
 #include <QPainter>
 #include <QPen>
-#include <QRegularExpression>
 #include <algorithm>
 #include <limits>
 #include <memory>
 #include <set>
 
-#include "core/analysis/notes/not_counted.h"
 #include "core/analysis/notes/refused_lines.h"
 #include "core/analysis/notes/remarks.h"
 #include "core/analysis/study/recommendation.h"
@@ -53,24 +51,13 @@ bool moves(const ReportRun& run) {
   return !is_refused(run.shown->run) && summary_of(run).cycle_time > 0;
 }
 
-QString without_tags(QString html) {
-  static const QRegularExpression tags(QStringLiteral("<[^>]*>"));
-  return html.remove(tags);
-}
-
-QString error_text(const Summary& summary) {
-  const QString amount = amount_text(deciding_error(summary), Dimension::error);
-  return summary.actual ? ReportWords::tr("actual contour error %1").arg(amount)
-                        : ReportWords::tr("contour error %1").arg(amount);
-}
-
-/// Headline for a single run.
-QString time_headline(const ReportInput& input) {
-  const Summary& summary = summary_of(input.run());
-  const double lost = std::max(0.0, summary.cycle_time - summary.programmed_time);
-  return ReportWords::tr("%1, of which %2 are lost (%3); %4.")
-      .arg(clock_text(summary.cycle_time), clock_text(lost), share_text(lost / summary.cycle_time),
-           error_text(summary));
+Decision decision_of(const ReportInput& input) {
+  const QStringList names = short_names(input);
+  QStringList lettered;
+  for (std::size_t i = 0; i < input.runs.size(); ++i) {
+    lettered.append(QStringLiteral("%1 (%2)").arg(run_letter(i), names[static_cast<qsizetype>(i)]));
+  }
+  return DecisionTexts::decision(run_figures(input), lettered, input.within);
 }
 
 QString fault(const QString& html) {
@@ -138,6 +125,16 @@ QString bound_sentence(const ReportInput& input) {
   return keeps_bound(deciding_error(summary_of(input.run())), input.within)
              ? ReportWords::tr("The contour error keeps the bound of %1.").arg(bound)
              : ReportWords::tr("The contour error is above the bound of %1.").arg(bound);
+}
+
+/// Notes that pictures and places are not those of the recommended run.
+QString shown_run_sentence(const ReportInput& input) {
+  const auto leading = leading_run(run_figures(input), input.within);
+  return !leading || *leading == input.current
+             ? QString()
+             : ReportWords::tr(
+                   "Pictures and places are those of %1, which the recordings or the range belong to.")
+                   .arg(lettered_name(input, input.current));
 }
 
 QString unmade_runs(const ReportInput& input) {
@@ -355,27 +352,25 @@ QString subject_block(const ReportInput& input) {
 }
 
 QString headline_block(const ReportInput& input) {
-  if (input.runs.size() == 1 && moves(input.run())) {
-    return html_text(time_headline(input));
+  const bool stands = std::ranges::none_of(input.runs, [](const ReportRun& run) {
+    return is_refused(run.shown->run) || summary_of(run).cycle_time > 0;
+  });
+  if (stands) {
+    return ReportWords::tr("No motion in this program: there is no time to report.");
   }
-  QStringList names;
-  for (std::size_t i = 0; i < input.runs.size(); ++i) {
-    names.append(without_tags(lettered_name(input, i)));
+  if (input.runs.size() > 1) {
+    return html_text(decision_of(input).headline);
   }
-  const QString decided = input.runs.size() > 1
-                              ? DecisionTexts::decision(run_figures(input), names, input.within).headline
-                              : QString();
-  return decided.isEmpty() ? without_tags(times_sentence(input)) : html_text(decided);
+  return moves(input.run())
+             ? html_text(DecisionTexts::single(summary_of(input.run())))
+             : ReportWords::tr("The control refuses the program: none of its feed motions is run.");
 }
 
 QString verdict_block(const ReportInput& input) {
-  QStringList names;
-  for (std::size_t i = 0; i < input.runs.size(); ++i) {
-    names.append(without_tags(lettered_name(input, i)));
-  }
-  const QString rule = input.runs.size() > 1
-                           ? DecisionTexts::decision(run_figures(input), names, input.within).rule
-                           : bound_sentence(input);
+  QStringList sentences{input.runs.size() > 1 ? html_text(decision_of(input).rule) : bound_sentence(input),
+                        shown_run_sentence(input)};
+  sentences.removeAll(QString());
+  const QString rule = sentences.join(' ');
   const QString why = rule.isEmpty() ? QString() : QStringLiteral("<p class=\"rule\">%1</p>\n").arg(rule);
   return why + unmade_runs(input) + reading_fault(input) + run_faults(input) + unused_tolerances(input);
 }
@@ -409,14 +404,12 @@ QString runs_table_block(const ReportInput& input, ReportPictures& pictures) {
                                                   : ReportWords::tr("Contour error"),
                                 Dimension::error),
                    ReportWords::tr("Corner blends"),
-                   with_unit_of(ReportWords::tr("Mean feed"), Dimension::feed)};
+                   with_unit_of(ReportWords::tr("Mean feed with rapids"), Dimension::feed)};
   head.replaceInStrings(QStringLiteral(" ["), QStringLiteral("<br/>["));  // else "mm/min" would break
   table.add_head(head);
   for (std::size_t row = 0; row < input.runs.size(); ++row) {
     const ReportRun& run = input.runs[row];
     const Summary& summary = summary_of(run);
-    const double reference = summary_of(input.runs[against]).cycle_time;
-    const bool same_lines = refused_lines(run) == refused_lines(input.runs[against]);
     QStringList cells{html_text(names[static_cast<qsizetype>(row)])};
     several ? cells.prepend(run_letter(row) + "&nbsp; " + line_sample(input, row, pictures))
             : cells.append(QString());
@@ -425,10 +418,7 @@ QString runs_table_block(const ReportInput& input, ReportPictures& pictures) {
             << QStringLiteral("–");
     } else {
       cells << clock_text(summary.cycle_time)
-            << (!several ? QString()
-                : row == against || !(reference > 0) || !same_lines
-                    ? QStringLiteral("–")
-                    : signed_percent(summary.cycle_time / reference - 1) + " %")
+            << (several ? DecisionTexts::against(run.shown->run, input.runs[against].shown->run) : QString())
             << error_number(deciding_error(summary))
             << QString::number(run.shown->run.trajectory->blend_count())
             << fixed(summary.mean_feed, Dimension::feed);
@@ -454,8 +444,8 @@ QString path_block(const ReportInput& input, ReportPictures& pictures) {
           ? (several ? ReportWords::tr("Executed path of %1, coloured by its feed.").arg(name)
                      : ReportWords::tr("Executed path, coloured by its feed."))
           : (several ? ReportWords::tr("Executed path of %1.").arg(name) : ReportWords::tr("Executed path."));
-  if (const Message events = not_counted_note(run.summary.not_counted); !events.empty()) {
-    caption += ' ' + html_text(in_language(events)) + '.';
+  for (const Message& text : texts_about(remarks(run), {Remark::About::not_counted})) {
+    caption += ' ' + html_text(in_language(text));
   }
   return elastic_view(without_other_runs(input), pictures, caption);
 }
@@ -464,11 +454,12 @@ QString losses_block(const ReportInput& input, ReportPictures& pictures) {
   if (!moves(input.run())) {
     return {};
   }
-  const QString tables =
-      title_line(input.runs.size() > 1
-                     ? ReportWords::tr("Where %1 still loses time").arg(lettered_name(input, input.current))
-                     : ReportWords::tr("Where time is lost")) +
-      loss_table(input) + help_table(input);
+  const QString losses = loss_table(input);
+  const QString title =
+      input.runs.size() > 1
+          ? ReportWords::tr("Where %1 still loses time").arg(lettered_name(input, input.current))
+          : ReportWords::tr("Where time is lost");
+  const QString tables = (losses.isEmpty() ? QString() : title_line(title) + losses) + help_table(input);
   const QString corner = corner_figure(input, pictures);
   return corner.isEmpty() ? tables : two_columns(corner, tables, narrow_share);
 }

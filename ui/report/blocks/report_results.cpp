@@ -11,12 +11,12 @@
 #include "ui/language/significant.h"
 #include "ui/language/texts.h"
 #include "ui/paper/html_table.h"
+#include "ui/report/blocks/report_decision.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
 #include "ui/report/report_words.h"
 #include "ui/theme/cause_colours.h"
 #include "ui/units/unit_system.h"
-#include "ui/workbench/reading_faults.h"
 
 namespace feedscope::ui {
 
@@ -46,75 +46,6 @@ QString main_causes(const Summary& summary) {
     }
   }
   return parts.join(QStringLiteral(", "));
-}
-
-/// Sentence after that with the run's time; empty if the whole program is run.
-QString not_run_sentence(const ReportRun& run) {
-  const std::size_t lines = run.shown->run.input.lines_not_run.size();
-  return lines == 0
-             ? QString()
-             : ' ' + ReportWords::tr("Lines that the control refuses and that are not run: %1.").arg(lines);
-}
-
-QString one_run_sentence(const ReportRun& run) {
-  const Summary& summary = summary_of(run);
-  if (is_refused(run.shown->run)) {
-    return ReportWords::tr("The control refuses the program: <b>%1</b> on %2 runs none of its feed motions.")
-        .arg(html_text(run.name), html_text(run.shown->run.setup.machine.name));
-  }
-  if (!(summary.cycle_time > 0)) {
-    return ReportWords::tr("No motion in this program: there is no time to report.");
-  }
-  const QString sentence =
-      ReportWords::tr(
-          "<b>%1</b> on %2 takes <b>%3</b>, %4 times the programmed time of %5, at a mean feed of "
-          "%6; in feed motions the path stays within <b>%7</b> of the programmed one.")
-          .arg(html_text(run.name), html_text(run.shown->run.setup.machine.name),
-               clock_text(summary.cycle_time), significant_number(against_programmed(summary), 3),
-               clock_text(summary.programmed_time),
-               fixed(summary.mean_feed, Dimension::feed) + ' ' + unit_of(Dimension::feed),
-               error_number(summary.cutting_contour_error) + ' ' + unit_of(Dimension::error));
-  return sentence + not_run_sentence(run);
-}
-
-/// The runs that the machine can do and with the fewest refused lines: lines that are not run take
-/// no time.
-std::vector<ReportRun> comparable_runs(const std::vector<ReportRun>& runs) {
-  std::vector<ReportRun> comparable;
-  for (const ReportRun& run : runs) {
-    const std::size_t lines = run.shown->run.input.lines_not_run.size();
-    const std::size_t least =
-        comparable.empty() ? lines : comparable.front().shown->run.input.lines_not_run.size();
-    if (is_refused(run.shown->run) || is_out_of_reach(run.shown->run) || lines > least) {
-      continue;
-    }
-    if (lines < least) {
-      comparable.clear();
-    }
-    comparable.push_back(run);
-  }
-  return comparable;
-}
-
-/// For several runs, at least one of them not refused.
-QString fastest_sentence(const std::vector<ReportRun>& runs) {
-  const auto time = [](const ReportRun& run) { return summary_of(run).cycle_time; };
-  const auto error = [](const ReportRun& run) {
-    return error_number(summary_of(run).cutting_contour_error) + ' ' + unit_of(Dimension::error);
-  };
-  const ReportRun& fastest = *std::ranges::min_element(runs, {}, time);
-  const ReportRun& slowest = *std::ranges::max_element(runs, {}, time);
-  if (!(time(slowest) > time(fastest))) {
-    return ReportWords::tr("All runs take %1.").arg(clock_text(time(fastest))) + not_run_sentence(fastest);
-  }
-  return ReportWords::tr(
-             "<b>%1</b> is the fastest of %2 runs: <b>%3</b> at a contour error of %4, "
-             "<b>%5 % less time</b> than %6 (%7, %8).")
-             .arg(html_text(fastest.name))
-             .arg(runs.size())
-             .arg(clock_text(time(fastest)), error(fastest), percent(1 - time(fastest) / time(slowest), 1),
-                  html_text(slowest.name), clock_text(time(slowest)), error(slowest)) +
-         not_run_sentence(fastest);
 }
 
 QString swatch(CauseKind kind) {
@@ -217,45 +148,25 @@ std::vector<std::pair<CauseKind, double>> time_by_kind(const Summary& summary) {
   return kinds;
 }
 
-QString times_sentence(const ReportInput& input) {
-  const std::vector<ReportRun> comparable = comparable_runs(input.runs);
-  if (comparable.empty()) {
-    return one_run_sentence(input.run());
-  }
-  const QString sentence =
-      comparable.size() > 1 ? fastest_sentence(comparable) : one_run_sentence(comparable.front());
-  return comparable.size() == input.runs.size()
-             ? sentence
-             : sentence + ' ' +
-                   ReportWords::tr(
-                       "Runs of which the control refuses more lines or that the machine does not reach, and "
-                       "that are not compared: %1.")
-                       .arg(input.runs.size() - comparable.size());
-}
-
 QString summary_block(const ReportInput& input) {
-  QString html;
-  if (const QString faults = reading_faults_text(*input.program().program); !faults.isEmpty()) {
-    html += QStringLiteral("<p style=\"color:#c62818\">%1</p>\n")
-                .arg(ReportWords::tr("<b>%1.</b> The messages are listed under Program.").arg(faults));
-  }
-  html += paragraph(times_sentence(input));
+  QString html = paragraph(headline_block(input)) + verdict_block(input);
   const QString causes =
       is_refused(input.run().shown->run) ? QString() : main_causes(summary_of(input.run()));
   if (!causes.isEmpty()) {
     html += paragraph(ReportWords::tr("Most of the time of %1 is limited by: %2.")
-                          .arg(html_text(input.run().name), html_text(causes)));
+                          .arg(lettered_name(input, input.current), html_text(causes)));
   }
   return html + remarks_html(input);
 }
 
 QString comparison_block(const ReportInput& input) {
   HtmlTable table("lrrrrrrr", {27, 12, 10, 10, 10, 10, 11, 10});
-  table.add_head(
-      {ReportWords::tr("Run"), ReportWords::tr("Cycle time [s]"), ReportWords::tr("× pro-<br/>grammed"),
-       ReportWords::tr("To first [%]"), with_unit_of(ReportWords::tr("Mean feed"), Dimension::feed),
-       with_unit_of(ReportWords::tr("Peak feed"), Dimension::feed),
-       with_unit_of(ReportWords::tr("Contour error"), Dimension::error), ReportWords::tr("Corner blends")});
+  table.add_head({ReportWords::tr("Run"), ReportWords::tr("Cycle time [s]"),
+                  ReportWords::tr("× pro-<br/>grammed"), ReportWords::tr("To first [%]"),
+                  with_unit_of(ReportWords::tr("Mean feed with rapids"), Dimension::feed),
+                  with_unit_of(ReportWords::tr("Peak feed"), Dimension::feed),
+                  with_unit_of(ReportWords::tr("Contour error"), Dimension::error),
+                  ReportWords::tr("Corner blends")});
   for (std::size_t i = 0; i < input.runs.size(); ++i) {
     const ReportRun& run = input.runs[i];
     if (is_refused(run.shown->run)) {
