@@ -9,9 +9,9 @@
 #include "core/limits/axis_share.h"
 #include "core/models/control_reading.h"
 #include "core/models/explanation/explainer.h"
-#include "core/models/grbl/grbl_reading.h"
 #include "core/models/grbl/grbl_run.h"
 #include "core/models/shared_settings.h"
+#include "core/program/controls/grbl_reading.h"
 
 namespace feedscope {
 namespace {

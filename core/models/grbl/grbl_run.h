@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "core/base/progress.h"
-#include "core/models/grbl/grbl_arc.h"
 #include "core/models/grbl/grbl_steps.h"
+#include "core/program/controls/grbl_arc.h"
 #include "core/trajectory/trajectory_builder.h"
 
 namespace feedscope {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/limits/cause.h"
-#include "core/models/klipper/klipper_settings.h"
+#include "core/program/controls/klipper_settings.h"
 #include "core/toolpath/toolpath.h"
 
 namespace feedscope {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/models/klipper/klipper_limits.h"
 #include "core/models/klipper/klipper_moves.h"
+#include "core/program/controls/klipper_limits.h"
 #include "core/trajectory/trajectory_builder.h"
 
 namespace feedscope {

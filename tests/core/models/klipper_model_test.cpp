@@ -7,7 +7,7 @@
 
 #include "core/analysis/explanation/explanation.h"
 #include "core/analysis/run/run.h"
-#include "core/models/klipper/klipper_settings.h"
+#include "core/program/controls/klipper_settings.h"
 #include "tests/support/paths.h"
 
 namespace feedscope {

@@ -11,8 +11,8 @@
 
 #include "core/analysis/run/run.h"
 #include "core/base/error.h"
-#include "core/models/grbl/grbl_reading.h"
-#include "core/models/klipper/klipper_reading.h"
+#include "core/program/controls/grbl_reading.h"
+#include "core/program/controls/klipper_reading.h"
 #include "core/program/program.h"
 #include "tests/support/folders.h"
 #include "ui/language/in_language.h"

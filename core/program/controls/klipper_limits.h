@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/models/klipper/klipper_line.h"
-#include "core/models/klipper/klipper_settings.h"
+#include "core/program/controls/klipper_line.h"
+#include "core/program/controls/klipper_settings.h"
 #include "core/program/text/source_text.h"
 
 namespace feedscope {

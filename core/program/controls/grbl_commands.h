@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/models/grbl/grbl_line.h"
+#include "core/program/controls/grbl_line.h"
 
 namespace feedscope {
 

@@ -16,7 +16,7 @@ struct GrblArc {
   bool clockwise = false;
 };
 
-/// An arc cut into chords within the arc tolerance (README.md, "Arcs").
+/// An arc cut into chords within the arc tolerance (models/grbl/README.md, "Arcs").
 class GrblChords {
  public:
   /// `tolerance`: of the chords [mm].

@@ -1,4 +1,4 @@
-#include "core/models/klipper/klipper_reading.h"
+#include "core/program/controls/klipper_reading.h"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "core/models/klipper/klipper_limits.h"
-#include "core/models/klipper/klipper_line.h"
+#include "core/program/controls/klipper_limits.h"
+#include "core/program/controls/klipper_line.h"
 #include "core/program/path/arc_solver.h"
 
 namespace feedscope {

@@ -1,4 +1,4 @@
-#include "core/models/klipper/klipper_line.h"
+#include "core/program/controls/klipper_line.h"
 
 #include <fast_float/fast_float.h>
 
@@ -7,7 +7,7 @@
 namespace feedscope {
 namespace {
 
-bool is_letter(char c) {
+bool is_key_letter(char c) {
   return (c >= 'A' && c <= 'Z') || c == '_';
 }
 
@@ -45,17 +45,17 @@ KlipperLine read_klipper_line(std::string_view text) {
   std::vector<std::pair<std::string, std::string>> parts;
   const std::string_view line = raised;
   std::size_t i = 0;
-  while (i < line.size() && !is_letter(line[i]) && line[i] != '*') {
+  while (i < line.size() && !is_key_letter(line[i]) && line[i] != '*') {
     ++i;
   }
   const bool begins_otherwise = !trimmed(line.substr(0, i)).empty();
   while (i < line.size()) {
     const std::size_t letters = i++;
-    while (line[letters] != '*' && i < line.size() && is_letter(line[i])) {
+    while (line[letters] != '*' && i < line.size() && is_key_letter(line[i])) {
       ++i;
     }
     const std::size_t value = i;
-    while (i < line.size() && !is_letter(line[i]) && line[i] != '*') {
+    while (i < line.size() && !is_key_letter(line[i]) && line[i] != '*') {
       ++i;
     }
     parts.emplace_back(std::string(line.substr(letters, value - letters)),

@@ -1,12 +1,12 @@
-#include "core/models/grbl/grbl_reading.h"
+#include "core/program/controls/grbl_reading.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <utility>
 
-#include "core/models/grbl/grbl_arc_words.h"
-#include "core/models/grbl/grbl_commands.h"
+#include "core/program/controls/grbl_arc_words.h"
+#include "core/program/controls/grbl_commands.h"
 
 namespace feedscope {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/models/grbl/grbl_arc_words.h"
+#include "core/program/controls/grbl_arc_words.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "core/models/klipper/klipper_limits.h"
+#include "core/program/controls/klipper_limits.h"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "core/models/grbl/grbl_arc.h"
-#include "core/models/grbl/grbl_line.h"
+#include "core/program/controls/grbl_arc.h"
+#include "core/program/controls/grbl_line.h"
 
 namespace feedscope {
 

@@ -1,4 +1,4 @@
-#include "core/models/grbl/grbl_commands.h"
+#include "core/program/controls/grbl_commands.h"
 
 #include <fmt/format.h>
 

@@ -24,7 +24,7 @@ struct KlipperSettings {
   KlipperSettings(const Machine& machine, const Settings& settings);
 
   /// Time of a move of the extruder alone over `length` [mm] at the feed `feed` [mm/s], planned from rest to
-  /// rest (README.md, "Extruder") [s].
+  /// rest (models/klipper/README.md, "Extruder") [s].
   double extrude_time(double length, double feed) const;
 };
 

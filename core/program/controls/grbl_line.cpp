@@ -1,4 +1,4 @@
-#include "core/models/grbl/grbl_line.h"
+#include "core/program/controls/grbl_line.h"
 
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "core/models/grbl/grbl_arc.h"
+#include "core/program/controls/grbl_arc.h"
 
 #include <cmath>
 #include <numbers>
