@@ -21,10 +21,12 @@ double step_of_two(double low, double high);
 /// Number of decimals of the multiples of `step` > 0, at most 12.
 int step_decimals(double step);
 
-/// Multiples of a round step in [minimum, maximum], at most `most` of them, but at least two where `most` is
-/// at least 2, since one number alone is no scale; none if the range is empty or not finite, or if `most` is
-/// 0.
+/// Multiples of a round step in [minimum, maximum], at most `most` of them, but at least two, since one
+/// number alone is no scale; none if the range is empty or not finite.
 Ticks round_ticks(double minimum, double maximum, int most);
+/// As round_ticks() for times in seconds: from a minute on, the steps are round on a clock, such as 15 s, 30
+/// s and 5 min.
+Ticks clock_ticks(double minimum, double maximum, int most);
 /// Same scale with only the values from `low` to `high`, for a scale of which a small part is shown. At most
 /// 1000 values; beyond that the step is larger.
 Ticks round_ticks_between(double minimum, double maximum, double most, double low, double high);

@@ -259,8 +259,7 @@ ComparisonLayout lay_out(const ComparisonBars& bars, const QSize& size, const QF
   layout.axis = QRectF(left, bottom, right - left, axis_height);
   const double most = bars.longest > 0 ? headroom * bars.longest : 1;
   layout.pixels_per_second = layout.plot.width() / most;
-  const int most_ticks = std::max(2, static_cast<int>(layout.plot.width() / tick_distance));
-  layout.ticks = round_ticks(0, most, most_ticks);
+  layout.ticks = clock_ticks(0, most, static_cast<int>(layout.plot.width() / tick_distance));
   return layout;
 }
 

@@ -42,7 +42,7 @@ TEST(Ticks, OfAPartAreThoseOfTheWholeInThere) {
   for (int i = 0; i < 2000; ++i) {
     const double from = 1000 * (unit(random) - 0.5);
     const double to = from + std::pow(10, 6 * unit(random) - 3);
-    const int most = 1 + static_cast<int>(400 * unit(random));
+    const int most = 2 + static_cast<int>(400 * unit(random));
     const double low = from + (to - from) * (1.4 * unit(random) - 0.2);
     const double high = low + (to - from) * unit(random);
     const Ticks whole = round_ticks(from, to, most);
@@ -84,7 +84,6 @@ TEST(Ticks, AreNoneForARangeThatIsEmptyOrNotFinite) {
   EXPECT_THAT(round_ticks(2, 1, 5).values, IsEmpty());
   EXPECT_THAT(round_ticks(0, std::numeric_limits<double>::infinity(), 5).values, IsEmpty());
   EXPECT_THAT(round_ticks(std::nan(""), 1, 5).values, IsEmpty());
-  EXPECT_THAT(round_ticks(0, 1, 0).values, IsEmpty());
 }
 
 /// On a low chart: there is room for two labels, and an axis of one says nothing.
@@ -111,9 +110,19 @@ TEST(Ticks, AreTwoAndFarApartWhereThereIsRoomForTwo) {
   EXPECT_EQ(step_decimals(20), 0);
 }
 
-TEST(Ticks, AreNeverOneAloneWhereTwoAreAskedFor) {
+TEST(Ticks, OfTimesAreRoundOnAClock) {
+  EXPECT_THAT(clock_ticks(16'550, 16'820, 3).values, ElementsAre(16'560, 16'680, 16'800)) << "every 2 min";
+  EXPECT_THAT(clock_ticks(0, 100, 6).values, ElementsAre(0, 20, 40, 60, 80, 100));
+  EXPECT_THAT(clock_ticks(0, 200, 5).values, ElementsAre(0, 60, 120, 180)) << "50 s is not round";
+  EXPECT_THAT(clock_ticks(0, 20'000, 4).values, ElementsAre(0, 7200, 14'400));
+  EXPECT_THAT(clock_ticks(0, 50, 6).values, ElementsAre(0, 10, 20, 30, 40, 50));
+  EXPECT_THAT(clock_ticks(61, 61.05, 6).values, round_ticks(61, 61.05, 6).values);
+}
+
+TEST(Ticks, AreNeverOneAlone) {
   EXPECT_THAT(round_ticks(1, 9, 2).values, ElementsAre(2, 4, 6, 8)) << "5 alone is no scale";
-  EXPECT_THAT(round_ticks(3, 12, 1).values, ElementsAre(10));
+  EXPECT_THAT(round_ticks(3, 12, 1).values, ElementsAre(5, 10));
+  EXPECT_EQ(round_ticks(0, 1, 0).values.size(), 2U);
   std::mt19937 random(11);
   std::uniform_real_distribution<double> exponent(-6, 6);
   std::uniform_real_distribution<double> place(-10, 10);
@@ -121,9 +130,12 @@ TEST(Ticks, AreNeverOneAloneWhereTwoAreAskedFor) {
     const double range = std::pow(10, exponent(random));
     const double from = place(random) * range;
     const int most = 2 + i % 6;
-    const auto count = static_cast<int>(round_ticks(from, from + range, most).values.size());
-    EXPECT_GE(count, 2) << from << " + " << range << ", " << most;
-    EXPECT_LE(count, std::max(most, 5)) << from << " + " << range << ", " << most;
+    for (const Ticks& ticks :
+         {round_ticks(from, from + range, most), clock_ticks(from, from + range, most)}) {
+      const auto count = static_cast<int>(ticks.values.size());
+      EXPECT_GE(count, 2) << from << " + " << range << ", " << most;
+      EXPECT_LE(count, std::max(most, 5)) << from << " + " << range << ", " << most;
+    }
   }
 }
 

@@ -79,8 +79,7 @@ void paint_motion_plot(QPainter& painter, const MotionPlot& plot, bool labelled_
   painter.setFont(paper_font(motion_type));
   PlotGrid grid(painter, plot.place, motion_grid);
   constexpr double row_room = 26;
-  const Ticks rows =
-      round_ticks(plot.low, plot.high, std::max(2, static_cast<int>(plot.place.height() / row_room)));
+  const Ticks rows = round_ticks(plot.low, plot.high, static_cast<int>(plot.place.height() / row_room));
   for (std::size_t i = 0; i < rows.values.size(); ++i) {
     grid.level(plot.at({plot.from, rows.values[i]}).y(), labelled_left ? tick_text(rows, i) : QString(),
                rows.values[i] == 0 ? GridLine::strong : GridLine::usual);
