@@ -11,7 +11,7 @@ bool is_key_letter(char c) {
   return (c >= 'A' && c <= 'Z') || c == '_';
 }
 
-std::string trimmed(std::string_view text) {
+std::string without_outer_blanks(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n\f\v";
   const auto first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) {
@@ -48,7 +48,7 @@ KlipperLine read_klipper_line(std::string_view text) {
   while (i < line.size() && !is_key_letter(line[i]) && line[i] != '*') {
     ++i;
   }
-  const bool begins_otherwise = !trimmed(line.substr(0, i)).empty();
+  const bool begins_otherwise = !without_outer_blanks(line.substr(0, i)).empty();
   while (i < line.size()) {
     const std::size_t letters = i++;
     while (line[letters] != '*' && i < line.size() && is_key_letter(line[i])) {
@@ -59,7 +59,7 @@ KlipperLine read_klipper_line(std::string_view text) {
       ++i;
     }
     parts.emplace_back(std::string(line.substr(letters, value - letters)),
-                       trimmed(line.substr(value, i - value)));
+                       without_outer_blanks(line.substr(value, i - value)));
   }
   KlipperLine read;
   std::size_t first = 0;
@@ -70,7 +70,7 @@ KlipperLine read_klipper_line(std::string_view text) {
     read.command = parts[first].first + parts[first].second;
   }
   if (begins_otherwise && first == 0 && !parts.empty()) {
-    read.command = trimmed(line.substr(0, line.find(parts[0].first))) + read.command;
+    read.command = without_outer_blanks(line.substr(0, line.find(parts[0].first))) + read.command;
   }
   for (auto& [key, text_of_value] : parts) {
     read.values[std::move(key)] = std::move(text_of_value);
