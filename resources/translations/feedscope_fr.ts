@@ -863,6 +863,14 @@
         <source>colour: %1</source>
         <translation>couleur&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>%1, pink the place</source>
+        <translation>%1, en rose l’endroit</translation>
+    </message>
+    <message>
+        <source>Place %1, line %2</source>
+        <translation>Endroit %1, ligne %2</translation>
+    </message>
 </context>
 <context>
     <name>ReportParts</name>
@@ -2228,6 +2236,14 @@
         <source>The contour error is above the bound of %1.</source>
         <translation>L’erreur de contour dépasse la borne de %1.</translation>
     </message>
+    <message>
+        <source>pale dashes rapids</source>
+        <translation>en tirets pâles les rapides</translation>
+    </message>
+    <message>
+        <source>pins the tool axis</source>
+        <translation>en épingles l’axe de l’outil</translation>
+    </message>
 </context>
 <context>
     <name>ResidualPlot</name>
@@ -2418,6 +2434,10 @@
         <source>start</source>
         <comment>of the path</comment>
         <translation>début</translation>
+    </message>
+    <message>
+        <source>%1 (beneath the path)</source>
+        <translation>%1 (sous la trajectoire)</translation>
     </message>
 </context>
 <context>
@@ -15572,14 +15592,6 @@ Ensemble&#xa0;: %4</translation>
         <translation>%1 à %2 et %3, erreur de contour %4</translation>
     </message>
     <message>
-        <source>fastest: %1</source>
-        <translation>la plus rapide&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>fastest within %1: %2</source>
-        <translation>la plus rapide dans la limite de %1&#xa0;: %2</translation>
-    </message>
-    <message>
         <source>Cycle time</source>
         <translation>Temps de cycle</translation>
     </message>
@@ -15592,10 +15604,6 @@ Ensemble&#xa0;: %4</translation>
         <translation>limite</translation>
     </message>
     <message>
-        <source>fastest</source>
-        <translation>la plus rapide</translation>
-    </message>
-    <message>
         <source>not possible</source>
         <translation>impossible</translation>
     </message>
@@ -15603,16 +15611,24 @@ Ensemble&#xa0;: %4</translation>
         <source>without refused lines</source>
         <translation>sans les lignes refusées</translation>
     </message>
+    <message>
+        <source>recommended: %1</source>
+        <translation>recommandée&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>recommended within %1: %2</source>
+        <translation>recommandée dans la limite de %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>recommended</source>
+        <translation>recommandée</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::StudyTable</name>
     <message>
         <source>%1 % %2</source>
         <translation>%1 % %2</translation>
-    </message>
-    <message>
-        <source>The fastest within the bound</source>
-        <translation>La plus rapide dans la limite</translation>
     </message>
     <message>
         <source>Value</source>
@@ -15649,6 +15665,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>out of reach</source>
         <translation>hors de portée</translation>
+    </message>
+    <message>
+        <source>Recommended: the smallest error among those within 1 % of the fastest</source>
+        <translation>Recommandée&#xa0;: la plus petite erreur parmi celles à moins de 1 % de la plus rapide</translation>
     </message>
 </context>
 <context>
@@ -15824,6 +15844,14 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>no possible run</source>
         <translation>aucune simulation possible</translation>
+    </message>
+    <message>
+        <source>Recommended</source>
+        <translation>Recommandée</translation>
+    </message>
+    <message>
+        <source>Recommended within %1</source>
+        <translation>Recommandée dans la limite de %1</translation>
     </message>
 </context>
 <context>
