@@ -899,6 +899,14 @@
         <source>colour: %1</source>
         <translation>couleur&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>%1, pink the place</source>
+        <translation>%1, en rose l’endroit</translation>
+    </message>
+    <message>
+        <source>Place %1, line %2</source>
+        <translation>Endroit %1, ligne %2</translation>
+    </message>
 </context>
 <context>
     <name>ReportParts</name>
@@ -2240,6 +2248,14 @@
         <source>mean feed with rapids, %1</source>
         <translation>avance moy. avec rapides, %1</translation>
     </message>
+    <message>
+        <source>pale dashes rapids</source>
+        <translation>en tirets pâles les rapides</translation>
+    </message>
+    <message>
+        <source>pins the tool axis</source>
+        <translation>en épingles l’axe de l’outil</translation>
+    </message>
 </context>
 <context>
     <name>ResidualPlot</name>
@@ -2430,6 +2446,10 @@
         <source>start</source>
         <comment>of the path</comment>
         <translation>début</translation>
+    </message>
+    <message>
+        <source>%1 (beneath the path)</source>
+        <translation>%1 (sous la trajectoire)</translation>
     </message>
 </context>
 <context>
@@ -15678,14 +15698,6 @@ Ensemble&#xa0;: %4</translation>
         <translation>%1 à %2 et %3, erreur de contour %4</translation>
     </message>
     <message>
-        <source>fastest: %1</source>
-        <translation>la plus rapide&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>fastest within %1: %2</source>
-        <translation>la plus rapide dans la limite de %1&#xa0;: %2</translation>
-    </message>
-    <message>
         <source>Cycle time</source>
         <translation>Temps de cycle</translation>
     </message>
@@ -15698,10 +15710,6 @@ Ensemble&#xa0;: %4</translation>
         <translation>limite</translation>
     </message>
     <message>
-        <source>fastest</source>
-        <translation>la plus rapide</translation>
-    </message>
-    <message>
         <source>not possible</source>
         <translation>impossible</translation>
     </message>
@@ -15709,16 +15717,24 @@ Ensemble&#xa0;: %4</translation>
         <source>without refused lines</source>
         <translation>sans les lignes refusées</translation>
     </message>
+    <message>
+        <source>recommended: %1</source>
+        <translation>recommandée&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>recommended within %1: %2</source>
+        <translation>recommandée dans la limite de %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>recommended</source>
+        <translation>recommandée</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::StudyTable</name>
     <message>
         <source>%1 % %2</source>
         <translation>%1 % %2</translation>
-    </message>
-    <message>
-        <source>The fastest within the bound</source>
-        <translation>La plus rapide dans la limite</translation>
     </message>
     <message>
         <source>Value</source>
@@ -15755,6 +15771,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Mean feed with rapids</source>
         <translation>Avance moyenne, rapides compris</translation>
+    </message>
+    <message>
+        <source>Recommended: the smallest error among those within 1 % of the fastest</source>
+        <translation>Recommandée&#xa0;: la plus petite erreur parmi celles à moins de 1 % de la plus rapide</translation>
     </message>
 </context>
 <context>
@@ -15934,6 +15954,14 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>%1: %2 %3 with %4, actual contour error %5. %6</source>
         <translation>%1&#xa0;: %2 %3 avec %4, erreur de contour réelle %5. %6</translation>
+    </message>
+    <message>
+        <source>Recommended</source>
+        <translation>Recommandée</translation>
+    </message>
+    <message>
+        <source>Recommended within %1</source>
+        <translation>Recommandée dans la limite de %1</translation>
     </message>
 </context>
 <context>

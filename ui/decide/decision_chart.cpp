@@ -19,6 +19,8 @@ namespace feedscope::ui {
 namespace {
 
 constexpr double dot_radius = 4.5;
+constexpr double ring_radius = 1.9 * dot_radius;
+constexpr double one_place = 0.6 * dot_radius;  // dots nearer to each other look like one
 constexpr double near_dot = 9;
 constexpr double near_bound = 5;
 constexpr int usual_height = 136;
@@ -84,44 +86,117 @@ std::optional<double> DecisionChart::bound_x() const {
                 : std::nullopt;
 }
 
-/// For each name the place next to its dot that covers the fewest other dots and names.
-std::vector<QRectF> DecisionChart::labels() const {
+QString DecisionChart::bound_text() const {
+  return tr("bound %1").arg(amount_text(*bound_, Dimension::error));
+}
+
+/// A dot with its ring.
+QRectF DecisionChart::mark_of(const DecisionDot& dot) const {
+  const double radius = dot.taken ? ring_radius : dot_radius;
+  return {place_of(dot) - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius)};
+}
+
+/// Right or left of its line, at its upper or lower end, where it covers the fewest dots.
+QRectF DecisionChart::bound_label() const {
+  const auto x = bound_x();
+  if (!x) {
+    return {};
+  }
   const QFontMetricsF metrics(font());
   const QRectF plot = scale().plot;
-  const QRectF room(QPointF(plot.left(), 0), QPointF(width(), plot.bottom()));
-  std::vector<QRectF> labels;
-  for (const DecisionDot& dot : dots_) {
-    const QPointF at = place_of(dot);
-    const QSizeF size(metrics.horizontalAdvance(dot.name) + 2, metrics.height());
-    const double side = 2 * dot_radius;
-    std::vector<QPointF> corners;
-    for (const int row : {-1, 0, -2, 1, -3, 2, -4, 3}) {  // the nearest places first
-      const double top = row < 0 ? row * size.height() - 1 : row * size.height() + 1;
-      for (const double left : {side, -side - size.width(), -size.width() / 2}) {
-        corners.emplace_back(left, top);
-      }
-    }
-    QRectF best;
-    int least = std::numeric_limits<int>::max();
-    for (const QPointF& corner : corners) {
-      const QRectF label(at + corner, size);
-      int faults = room.contains(label) ? 0 : 100;
-      for (const QRectF& other : labels) {
-        faults += other.intersects(label) ? 20 : 0;
-      }
-      for (const DecisionDot& other : dots_) {
-        const QRectF mark(place_of(other) - QPointF(dot_radius, dot_radius), QSizeF(side, side));
-        faults += mark.intersects(label) ? 3 : 0;
-      }
-      if (const auto x = bound_x(); x && label.left() < *x && label.right() > *x) {
-        ++faults;
-      }
+  const QSizeF size(metrics.horizontalAdvance(bound_text()) + 2, metrics.height());
+  constexpr double gap = 4;
+  QRectF best;
+  std::ptrdiff_t least = std::numeric_limits<std::ptrdiff_t>::max();
+  for (const double top : {plot.top() - 2, plot.bottom() - size.height()}) {
+    for (const double left : {*x + gap, *x - gap - size.width()}) {
+      const QRectF label(QPointF(left, top), size);
+      constexpr std::ptrdiff_t outside = 100;
+      const std::ptrdiff_t faults = (label.left() < plot.left() || label.right() > width() ? outside : 0) +
+                                    std::ranges::count_if(dots_, [&](const DecisionDot& dot) {
+                                      return mark_of(dot).intersects(label);
+                                    });
       if (faults < least) {
         least = faults;
         best = label;
       }
     }
-    labels.push_back(best);
+  }
+  return best;
+}
+
+/// One label for dots of which the eye sees one.
+std::vector<DecisionLabel> DecisionChart::grouped_dots() const {
+  std::vector<DecisionLabel> labels;
+  for (std::size_t i = 0; i < dots_.size(); ++i) {
+    const QPointF at = place_of(dots_[i]);
+    const auto same = std::ranges::find_if(labels, [&](const DecisionLabel& label) {
+      return QLineF(place_of(dots_[label.dots.front()]), at).length() < one_place;
+    });
+    if (same == labels.end()) {
+      labels.push_back({{}, dots_[i].name, {i}});
+    } else {
+      same->text += QStringLiteral(", ") + dots_[i].name;
+      same->dots.push_back(i);
+    }
+  }
+  return labels;
+}
+
+/// For each label the place next to its dot that covers the fewest other dots and labels, and from which no
+/// other dot is as near.
+std::vector<DecisionLabel> DecisionChart::labels() const {
+  QFont bold = font();
+  bold.setBold(true);  // the widest
+  const QFontMetricsF metrics(bold);
+  const QRectF plot = scale().plot;
+  const QRectF room(QPointF(plot.left(), 0), QPointF(width(), plot.bottom()));
+  std::vector<DecisionLabel> labels = grouped_dots();
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    DecisionLabel& label = labels[i];
+    const auto is_own = [&](std::size_t dot) { return std::ranges::count(label.dots, dot) > 0; };
+    const QPointF at = place_of(dots_[label.dots.front()]);
+    const bool ringed = std::ranges::any_of(label.dots, [&](std::size_t dot) { return dots_[dot].taken; });
+    const double side = (ringed ? ring_radius : dot_radius) + 2;
+    const QSizeF size(metrics.horizontalAdvance(label.text) + 2, metrics.height());
+    const double slant = 0.6 * side;
+    const double middle = -size.height() / 2;
+    std::vector<QPointF> corners;
+    for (const double far : {0.0, 1.0, 2.0, 3.0}) {  // the nearest places first
+      const double more = far * size.height();
+      const double above = -size.height() - more;
+      for (const QPointF& corner :
+           {QPointF(slant, above - slant + 4), QPointF(side, middle - more), QPointF(slant, slant - 4 + more),
+            QPointF(-size.width() / 2, above - side + 3), QPointF(-size.width() / 2, side - 3 + more),
+            QPointF(-slant - size.width(), above - slant + 4), QPointF(-side - size.width(), middle - more),
+            QPointF(-slant - size.width(), slant - 4 + more)}) {
+        corners.push_back(corner);
+      }
+    }
+    int least = std::numeric_limits<int>::max();
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+      const QRectF place(at + corners[c], size);
+      const QPointF centre = place.center();
+      int faults = (room.contains(place) ? 0 : 100) + (place.intersects(bound_label()) ? 20 : 0);
+      for (std::size_t other = 0; other < i; ++other) {
+        faults += labels[other].place.intersects(place) ? 20 : 0;
+      }
+      const double own = QLineF(centre, at).length();
+      constexpr double clearly = 2;
+      for (std::size_t other = 0; other < dots_.size(); ++other) {
+        const bool is_near = QLineF(centre, place_of(dots_[other])).length() < own + clearly;
+        faults += is_own(other) ? 0 : (is_near ? 6 : 0) + (mark_of(dots_[other]).intersects(place) ? 6 : 0);
+      }
+      if (const auto x = bound_x(); x && place.left() < *x && place.right() > *x) {
+        ++faults;
+      }
+      if (faults < least) {
+        constexpr std::size_t next_to_dot = 8;
+        least = faults;
+        label.place = place;
+        label.displaced = c >= next_to_dot || faults >= 6;
+      }
+    }
   }
   return labels;
 }
@@ -145,8 +220,8 @@ void DecisionChart::draw_axes(QPainter& painter, const Scale& scale) const {
   const QFontMetricsF metrics(font());
   PlotGrid grid(painter, scale.plot, {colours.grid, colours.frame, colours.text});
   constexpr double tick_room = 26;  // [px]
-  const int rows = std::max(2, static_cast<int>(scale.plot.height() / type_pixels(tick_room)));
-  const Ticks times = round_ticks(scale.least_time, scale.most_time, rows);
+  const Ticks times = clock_ticks(scale.least_time, scale.most_time,
+                                  static_cast<int>(scale.plot.height() / type_pixels(tick_room)));
   for (std::size_t i = 0; i < times.values.size(); ++i) {
     const double share = (times.values[i] - scale.least_time) / (scale.most_time - scale.least_time);
     grid.level(scale.plot.bottom() - share * scale.plot.height(), time_tick_text(times, i));
@@ -172,12 +247,8 @@ void DecisionChart::draw_bound(QPainter& painter, const Scale& scale) const {
   const ThemeColours& colours = theme_colours(palette());
   painter.setPen(QPen(colours.cursor, line_pixels(1.2), Qt::DashLine));
   painter.drawLine(QPointF(*x, scale.plot.top()), QPointF(*x, scale.plot.bottom()));
-  const QString text = tr("bound %1").arg(amount_text(*bound_, Dimension::error));
-  const QFontMetricsF metrics(font());
-  const double wide = metrics.horizontalAdvance(text);
-  const bool right = *x + 4 + wide < width();
   painter.setPen(colours.text);
-  painter.drawText(QPointF(right ? *x + 4 : *x - 4 - wide, scale.plot.top() + metrics.ascent() - 2), text);
+  painter.drawText(bound_label(), Qt::AlignCenter | Qt::TextDontClip, bound_text());
 }
 
 void DecisionChart::draw_dots(QPainter& painter) const {
@@ -191,9 +262,13 @@ void DecisionChart::draw_dots(QPainter& painter) const {
   for (std::size_t i = 1; i < by_error.size(); ++i) {
     painter.drawLine(place_of(*by_error[i - 1]), place_of(*by_error[i]));
   }
-  const std::vector<QRectF> names = labels();
-  for (std::size_t i = 0; i < dots_.size(); ++i) {
-    const DecisionDot& dot = dots_[i];
+  const std::vector<DecisionLabel> names = labels();
+  for (const DecisionLabel& name : names) {
+    if (name.displaced) {
+      painter.drawLine(place_of(dots_[name.dots.front()]), name.place.center());
+    }
+  }
+  for (const DecisionDot& dot : dots_) {
     const QPointF at = place_of(dot);
     painter.setPen(Qt::NoPen);
     painter.setBrush(dot.colour);
@@ -201,13 +276,20 @@ void DecisionChart::draw_dots(QPainter& painter) const {
     if (dot.taken) {
       painter.setBrush(Qt::NoBrush);
       painter.setPen(QPen(colours.text, line_pixels(1.6)));
-      painter.drawEllipse(at, 1.9 * dot_radius, 1.9 * dot_radius);
+      painter.drawEllipse(at, ring_radius, ring_radius);
     }
+  }
+  for (const DecisionLabel& name : names) {
     QFont type = font();
-    type.setBold(dot.current);
+    type.setBold(std::ranges::any_of(name.dots, [&](std::size_t dot) { return dots_[dot].current; }));
     painter.setFont(type);
+    if (name.displaced) {  // its line ends there
+      QColor ground = palette().color(QPalette::Base);
+      ground.setAlpha(220);
+      painter.fillRect(name.place, ground);
+    }
     painter.setPen(colours.text);
-    painter.drawText(names[i], Qt::AlignCenter | Qt::TextDontClip, dot.name);
+    painter.drawText(name.place, Qt::AlignCenter | Qt::TextDontClip, name.text);
   }
   painter.setFont(font());
 }

@@ -17,6 +17,14 @@ struct DecisionDot {
   bool current = false;
 };
 
+/// Name of a dot in a DecisionChart, or names of dots in one place.
+struct DecisionLabel {
+  QRectF place;
+  QString text;
+  std::vector<std::size_t> dots;  ///< their indices
+  bool displaced = false;         ///< not next to its dots: a line leads there
+};
+
 /// Cycle time over contour error, with a dot for each run and a ring around the run to take. The bound on the
 /// error is a vertical line that can be dragged.
 class DecisionChart : public QWidget {
@@ -30,9 +38,11 @@ class DecisionChart : public QWidget {
   const std::vector<DecisionDot>& dots() const { return dots_; }
   /// Centre of a dot [pixels].
   QPointF place_of(const DecisionDot& dot) const;
-  std::vector<QRectF> labels() const;
+  std::vector<DecisionLabel> labels() const;
   /// Abscissa of the bound's line; none without a bound.
   std::optional<double> bound_x() const;
+  /// Text at the bound's line; empty without a bound.
+  QRectF bound_label() const;
 
   /// Draws the chart at its size.
   void draw(QPainter& painter) const;
@@ -59,6 +69,9 @@ class DecisionChart : public QWidget {
     double most_error = 1;  ///< [mm]
   };
   Scale scale() const;
+  QString bound_text() const;
+  QRectF mark_of(const DecisionDot& dot) const;
+  std::vector<DecisionLabel> grouped_dots() const;
   void draw_axes(QPainter& painter, const Scale& scale) const;
   void draw_bound(QPainter& painter, const Scale& scale) const;
   void draw_dots(QPainter& painter) const;

@@ -63,9 +63,9 @@ QString colour_meaning(const ReportInput& input) {
 }
 
 /// Paints program, its errors, machine, run, cycle time and colours in one line at the bottom of a picture,
-/// with the parts not in the cycle time if there is room. Returns the area above it.
+/// with the parts not in the cycle time if there is room. `place`: of a close-up. Returns the area above it.
 QRectF paint_caption(QPainter& painter, const ReportInput& input, const QString& colours,
-                     const PictureRequest& request) {
+                     const PictureRequest& request, const QString& place = {}) {
   constexpr double row = 24;  // [1/96 inch] at scale 1
   constexpr double text_size = 12;
   constexpr double margin = 10;
@@ -78,6 +78,9 @@ QRectF paint_caption(QPainter& painter, const ReportInput& input, const QString&
                     clock_text(run.trajectory->duration()), PictureCaption::tr("colour: %1").arg(colours)};
   if (const QString faults = reading_faults_text(*run.input.program); !faults.isEmpty()) {
     parts.insert(1, faults);
+  }
+  if (!place.isEmpty()) {
+    parts.prepend(place);
   }
   const QString text = parts.join(separator);
   const QString omitted = in_language(not_counted_note(not_counted(*run.input.toolpath)));
@@ -105,26 +108,16 @@ PictureSpec spec_of(const PictureRequest& request, const QString& title) {
           title};
 }
 
-/// The current run in 3D; `prepare` may move the camera of the picture, of the given size and scale.
-std::string path_file(const ReportInput& input, const PictureRequest& request,
-                      const std::function<void(ScenePicture&, const QSizeF&, const SceneScale&)>& prepare) {
+}  // namespace
+
+std::string scene_file(const ReportInput& input, const PictureRequest& request) {
   ScenePicture picture(input, input.current, request.theme, request.transparent);
   const SceneScale scale{request.pixel_ratio, text_scale_of(request)};
   PictureSpec spec = spec_of(request, input.heading());
   spec.background = ink_of(picture_colours(request).background);
   return make_picture(spec, [&](QPainter& painter) {
-    const QRectF above = paint_caption(painter, input, colour_meaning(input), request);
-    if (prepare) {
-      prepare(picture, above.size(), scale);
-    }
-    picture.paint(painter, above, scale);
+    picture.paint(painter, paint_caption(painter, input, colour_meaning(input), request), scale);
   });
-}
-
-}  // namespace
-
-std::string scene_file(const ReportInput& input, const PictureRequest& request) {
-  return path_file(input, request, {});
 }
 
 std::string charts_file(const ReportInput& input, const PictureRequest& request) {
@@ -180,11 +173,32 @@ ReportPicture lens_picture(std::shared_ptr<const LensShot> shot, const QSizeF& s
 
 namespace {
 
-std::string lens_file(const ReportInput& input, const LensShot& shot, const PictureRequest& request) {
-  return make_picture(spec_of(request, input.heading()), [&](QPainter& painter) {
-    const QRectF above = paint_caption(painter, input, PictureCaption::tr("run"), request);
+std::string lens_file(const ReportInput& input, const LensShot& shot, const PictureRequest& request,
+                      const QString& place = {}) {
+  PictureSpec spec = spec_of(request, input.heading());
+  spec.background = QApplication::palette().color(QPalette::Base);
+  return make_picture(spec, [&](QPainter& painter) {
+    const QRectF above = paint_caption(painter, input, PictureCaption::tr("run"), request, place);
     painter.setFont(QApplication::font());
     LensPicture(shot.lens, shot.looks, text_scale_of(request)).paint(painter, above, QApplication::palette());
+  });
+}
+
+/// A place along the path of one run; `name`: of the place.
+std::string place_file(const ReportInput& input, const SlowPlace& place, const QString& name,
+                       const PictureRequest& request) {
+  ReportInput seen = at_place(without_other_runs(input), place);
+  seen.texts = input.texts;  // the legend of a report is next to its picture
+  seen.texts.start.clear();  // rarely in sight
+  ScenePicture picture(seen, seen.current, request.theme, request.transparent);
+  const SceneScale scale{request.pixel_ratio, text_scale_of(request)};
+  PictureSpec spec = spec_of(request, input.heading());
+  spec.background = ink_of(picture_colours(request).background);
+  return make_picture(spec, [&](QPainter& painter) {
+    const QString colours = PictureCaption::tr("%1, pink the place").arg(colour_meaning(seen));
+    const QRectF above = paint_caption(painter, input, colours, request, name);
+    show_place(picture, place, above.size(), scale);
+    picture.paint(painter, above, scale);
   });
 }
 
@@ -197,13 +211,9 @@ std::string lens_file(const ReportInput& input, double time, const PictureReques
 std::string place_file(const ReportInput& asked, std::size_t number, const PictureRequest& request) {
   const ReportInput input = with_time_report(with_recommended_run(asked), false);
   const PlaceShot shot = place_shot(input, number);
-  if (shot.lens) {
-    return lens_file(input, *shot.lens, request);
-  }
-  return path_file(at_place(without_other_runs(input), shot.place), request,
-                   [&](ScenePicture& picture, const QSizeF& size, const SceneScale& scale) {
-                     show_place(picture, shot.place, size, scale);
-                   });
+  const QString name = PictureCaption::tr("Place %1, line %2").arg(number).arg(shot.place.line);
+  return shot.lens ? lens_file(input, *shot.lens, request, name)
+                   : place_file(input, shot.place, name, request);
 }
 
 std::string sheet_file(const ReportInput& input, const PictureRequest& request) {

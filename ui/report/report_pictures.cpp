@@ -140,19 +140,32 @@ SceneTexts without_line_names(SceneTexts texts) {
 }
 
 ReportInput at_place(ReportInput input, const SlowPlace& place) {
-  input.view = view_of(input.run().shown->run, place);
+  const Run& run = input.run().shown->run;
+  const bool is_rapid = run.trajectory->is_rapid(run.trajectory->state((place.from + place.to) / 2).element);
+  input.view = view_of(run, place);
   input.texts = without_line_names(std::move(input.texts));
   input.scene.stretch = {};
   input.annotations = annotations_between(input, place.from, place.to);
   input.scene.colouring = Colouring::feed;
   input.scene.exaggeration = 1;
+  input.scene.rapids = input.scene.rapids || is_rapid;
+  input.scene.all_rapids = is_rapid;
   return input;
 }
 
 void show_place(ScenePicture& picture, const SlowPlace& place, const QSizeF& size, const SceneScale& scale) {
+  picture.scene().set_strip(true);
   picture.prepare(size, scale);
   picture.scene().fit_times(place.from, place.to);
-  picture.scene().zoom(0.7, {size.width() * scale.pixel_ratio / 2, size.height() * scale.pixel_ratio / 2});
+  const QSizeF pixels = size * scale.pixel_ratio;
+  double top = 0;  // of the area between the strips
+  double bottom = pixels.height();
+  for (const auto& [corner, opposite] : picture.scene().covered()) {
+    const bool is_strip = opposite[0] - corner[0] >= pixels.width() - 1;
+    top = is_strip && corner[1] <= 0 ? opposite[1] : top;
+    bottom = is_strip && corner[1] > 0 ? corner[1] : bottom;
+  }
+  picture.scene().zoom(0.7, {pixels.width() / 2, (top + bottom) / 2});
   picture.scene().set_highlight(std::array{place.from, place.to});
   picture.scene().set_hover(picture.scene().drawn_at(place.slowest));
 }

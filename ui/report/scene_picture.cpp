@@ -26,7 +26,10 @@ std::vector<OverlayRun> overlays_of(const ReportInput& input, std::size_t row) {
   for (std::size_t i = 0; i < input.runs.size(); ++i) {
     if (i != row) {
       const ReportRun& run = input.runs[i];
-      overlays.push_back({run.shown->samples, rgb_of(run.colour), lettered_title(input, i).toStdString()});
+      const double apart =
+          run.shown->run.summary.max_contour_error + input.runs[row].shown->run.summary.max_contour_error;
+      overlays.push_back(
+          {run.shown->samples, rgb_of(run.colour), lettered_title(input, i).toStdString(), apart});
     }
   }
   for (const ReportTrace& trace : input.traces) {

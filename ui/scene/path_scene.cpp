@@ -63,7 +63,7 @@ void PathScene::set_executed(std::shared_ptr<const Trajectory> trajectory,
 
 void PathScene::set_overlays(std::vector<OverlayRun> overlays) {
   const auto same = [](const OverlayRun& a, const OverlayRun& b) {
-    return a.samples == b.samples && a.colour == b.colour && a.name == b.name;
+    return a.samples == b.samples && a.colour == b.colour && a.name == b.name && a.apart == b.apart;
   };
   if (!std::ranges::equal(overlays, impl_->overlays, same)) {
     impl_->overlays = std::move(overlays);
@@ -189,6 +189,11 @@ bool PathScene::axes() const {
 
 void PathScene::set_legend(bool shown) {
   impl_->legend = shown;
+  impl_->changed();
+}
+
+void PathScene::set_strip(bool shown) {
+  impl_->strip = shown;
   impl_->changed();
 }
 

@@ -92,6 +92,9 @@ class PathScene {
   bool axes() const;
   /// Whether to explain lines and colours; not needed if a neighbouring scene does.
   void set_legend(bool shown);
+  /// Whether legend and scales are in strips above and below the path instead of on top of it: for close-ups,
+  /// which have no free area.
+  void set_strip(bool shown);
   /// Whether to draw a cube whose faces are standard views, see cube_view().
   void set_cube(bool shown);
   /// A square with this side [pixels] is left free for something else, in the lower corner on the right or

@@ -55,8 +55,13 @@ class PathScene::Impl : public ScenePaths {
     LegendEntries entries = layers.entries();
     const auto path = shown_executed() != nullptr ? shown_executed() : shown_programmed();
     entries.start = path != nullptr && path->size() > 0;
+    const double millimetre = projection().scale / frame.unit;
+    constexpr double seen = 0.5;  // [pixels]: a line that is shifted by less is under that of the run
+    for (LegendEntries::Overlay& overlay : entries.overlays) {
+      overlay.beneath = overlay.apart * look.exaggeration * millimetre < seen * scale;
+    }
     return {std::move(entries), layers.key(), look.run, look.exaggeration, look.colours, &texts,
-            on_machine(),       transparent,  legend,   cube_shown};
+            on_machine(),       transparent,  legend,   cube_shown,        strip};
   }
   ScreenLayout layout() const { return screen_layout(stage.width(), stage.height(), scale, captions()); }
   ScreenRectangle room() const { return layout().room(); }
@@ -267,6 +272,7 @@ class PathScene::Impl : public ScenePaths {
   bool axes = false;
   bool legend = true;
   bool cube_shown = false;
+  bool strip = false;
   std::optional<double> inset;  ///< side [pixels]
   bool inset_left = false;
   bool transparent = false;

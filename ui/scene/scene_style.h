@@ -39,7 +39,8 @@ struct SceneTexts {
   std::string blend = "corner blend";
   std::string curve = "smooth curve";
   std::string tool_axis = "tool axis";
-  std::string start = "start";  ///< of the path
+  std::string start = "start";                    ///< of the path
+  std::string beneath = "%1 (beneath the path)";  ///< %1: a run that the coloured one hides
   std::string on_machine = "X, Y and Z of the machine";
   std::string assumed = "assumed";                   ///< of a zero point
   std::string exaggerated = "deviation drawn × %1";  ///< %1: the factor

@@ -47,6 +47,7 @@ SceneTexts scene_texts() {
   texts.start = Scene::tr("start", "of the path").toStdString();
   texts.on_machine = Scene::tr("X, Y and Z of the machine").toStdString();
   texts.assumed = Scene::tr("assumed", "zero point of a work offset").toStdString();
+  texts.beneath = Scene::tr("%1 (beneath the path)").toStdString();
   texts.exaggerated = Scene::tr("deviation drawn × %1").toStdString();
   texts.contour_error = Scene::tr("Contour error").toStdString();
   texts.time_lost = Scene::tr("Time lost or gained").toStdString();

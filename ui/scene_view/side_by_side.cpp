@@ -348,7 +348,11 @@ void SideBySide::show_overlays() {
     const RunItem& item = runs.items()[row];
     // In a split view the other run has its half.
     if (row != runs.current() && item.visible && result != nullptr && mode_ != ScenesMode::split) {
-      overlays.push_back({result->samples, rgb(item.colour), runs.lettered_title(row).toStdString()});
+      const auto current = runs.result(runs.current());
+      const double apart =
+          current == nullptr ? HUGE_VAL
+                             : current->run.summary.max_contour_error + result->run.summary.max_contour_error;
+      overlays.push_back({result->samples, rgb(item.colour), runs.lettered_title(row).toStdString(), apart});
     }
   }
   const TraceList& traces = workbench_.traces();

@@ -245,7 +245,7 @@ void StudyChart::draw_plot(QPainter& painter, const Layout& layout, bool is_erro
   const double least = is_error ? 0 : layout.min_time;
   const double line = QFontMetricsF(font()).height();
   constexpr int max_ticks = 6;
-  const Ticks ticks = round_ticks(least, most, max_ticks);
+  const Ticks ticks = is_error ? round_ticks(least, most, max_ticks) : clock_ticks(least, most, max_ticks);
   painter.setFont(sized(font(), text_size, true));
   painter.setPen(theme_colours(palette()).text);
   painter.drawText(QRectF(margin, plot.top() - line - 6, plot.right() - margin, line),
@@ -352,7 +352,7 @@ void StudyChart::draw_curve(QPainter& painter, const Layout& layout, std::size_t
   }
   painter.setPen(QPen(theme_colours(palette()).text, line_pixels(1.8)));
   painter.setBrush(Qt::NoBrush);
-  for (const std::size_t best : curve.fastest) {
+  for (const std::size_t best : curve.best) {
     painter.drawEllipse(line[static_cast<qsizetype>(best)], 2 * marker, 2 * marker);
   }
 }
@@ -403,10 +403,10 @@ void StudyChart::draw_labels(QPainter& painter, const Layout& layout, bool is_er
     taken.push_back(label);
   }
   for (const StudyCurve& curve : study_.curves) {
-    if (curve.fastest.empty()) {
+    if (curve.best.empty()) {
       continue;
     }
-    const StudyPoint& best = curve.points[curve.fastest.front()];
+    const StudyPoint& best = curve.points[curve.best.front()];
     const QString text =
         is_error ? significant_text(best.error, Dimension::error, 3)
                  : tr("%1 at %2")

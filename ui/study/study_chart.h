@@ -9,7 +9,7 @@
 namespace feedscope::ui {
 
 /// Cycle time and, below it over the same axis, contour error against a setting. The bound is a dashed line;
-/// the fastest run of each curve within it is ringed and labelled. Curves differ in colour and in marker;
+/// the recommended run of each curve is ringed and labelled. Curves differ in colour and in marker;
 /// recordings of the program are dotted horizontal lines.
 class StudyChart : public QWidget {
   Q_OBJECT
@@ -53,7 +53,7 @@ class StudyChart : public QWidget {
   std::vector<QRectF> recorded_labels(const Layout& layout, bool is_error) const;
   std::vector<QLineF> curve_lines(const Layout& layout, bool is_error) const;
   QString recorded_text(std::size_t index, bool is_error) const;
-  /// Labels the fastest run of each curve.
+  /// Labels the recommended run of each curve.
   void draw_labels(QPainter& painter, const Layout& layout, bool is_error) const;
   /// Label next to a marker, where it hides the least.
   QRectF free_label(const Layout& layout, const QPointF& at, const QSizeF& size, bool is_error,

@@ -47,14 +47,14 @@ StudyCurves study_curves(const Study& study) {
     if (const std::size_t lines = runs.front().lines_not_run; lines > 0) {
       curve.name += StudyChart::tr(", refused lines: %1").arg(lines);
     }
-    const std::vector<bool> marks = fastest_marks(runs, study.within);
+    const std::vector<bool> marks = recommended_marks(runs, study.within);
     for (std::size_t i = 0; i < runs.size(); ++i) {
       const StudyRun& run = runs[i];
       if (!run.is_possible()) {
         continue;
       }
       if (marks[i]) {
-        curve.fastest.push_back(curve.points.size());
+        curve.best.push_back(curve.points.size());
       }
       curve.points.push_back(
           {run.swept.front() * unit.factor, run.summary.cycle_time, deciding_error(run.summary)});

@@ -19,7 +19,7 @@ struct StudyPoint {
 struct StudyCurve {
   QString name;
   std::vector<StudyPoint> points;
-  std::vector<std::size_t> fastest;  ///< within the bound: all equally fast ones
+  std::vector<std::size_t> best;  ///< recommended_marks()
 };
 
 /// A machine's recorded time for the program, drawn across the whole range of the setting.

@@ -39,10 +39,6 @@ const QColor map_ink(0x22, 0x26, 0x2a);
 const QColor map_grid(0xd5, 0xd9, 0xde);
 const QColor impossible_ink(0xb4, 0xba, 0xc2);
 
-QString value_text(double value) {
-  return QLocale().toString(value, 'g', 4);
-}
-
 /// Texts with as few digits as distinguish them, at least two.
 QStringList axis_texts(const std::vector<double>& values) {
   constexpr int most_digits = 15;
@@ -84,7 +80,7 @@ StudyMapAxis map_axis(const Sweep& sweep) {
 StudyMap map_of(const Study& study, std::span<const StudyRun> runs) {
   const std::vector<std::size_t> columns = rising_order(study.sweeps[0].values);
   const std::vector<std::size_t> rows = rising_order(study.sweeps[1].values);
-  const std::vector<bool> marks = fastest_marks(runs, study.within);
+  const std::vector<bool> marks = recommended_marks(runs, study.within);
   StudyMap map{family_name(study, runs.front()), {}};
   for (const std::size_t row : rows) {
     for (const std::size_t column : columns) {
@@ -107,7 +103,7 @@ Ticks time_bounds(const StudyMaps& study) {
     }
   }
   constexpr double level_span = 1e-6;  // of the time: smaller differences are rounding
-  return high - low > level_span * high ? round_ticks(low, high, StudyMapPicture::most_colours - 1) : Ticks();
+  return high - low > level_span * high ? clock_ticks(low, high, StudyMapPicture::most_colours - 1) : Ticks();
 }
 
 double largest_error(const StudyMaps& study) {
@@ -310,9 +306,19 @@ QColor StudyMapPicture::colour_of(double time) const {
   return QColor::fromRgbF(static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]));
 }
 
+namespace {
+
+/// A number that stays on one line with its unit.
+QString unbroken(QString number) {
+  return number.replace(QLatin1Char(' '), QChar(QChar::Nbsp));
+}
+
+}  // namespace
+
 QString StudyMapPicture::best_text(const StudyMap& map) const {
-  const QString bound = study_.within ? significant_text(*study_.within, Dimension::error, 4) : QString();
-  const auto best = std::ranges::find_if(map.cells, &StudyMapCell::fastest);
+  const QString bound =
+      study_.within ? unbroken(significant_text(*study_.within, Dimension::error, 4)) : QString();
+  const auto best = std::ranges::find_if(map.cells, &StudyMapCell::best);
   if (best == map.cells.end()) {
     const bool any = std::ranges::any_of(map.cells, &StudyMapCell::possible);
     return !any ? MapTexts::tr("no run is possible")
@@ -326,14 +332,16 @@ QString StudyMapPicture::best_text(const StudyMap& map) const {
   const auto i = static_cast<std::size_t>(best - map.cells.begin());
   const std::size_t columns = study_.x.values.size();
   const auto value = [](const StudyMapAxis& axis, std::size_t at) {
-    return QStringLiteral("%1 %2").arg(value_text(axis.values[at]), axis.unit).trimmed();
+    return unbroken(QStringLiteral("%1 %2")
+                        .arg(axis_texts(axis.values)[static_cast<qsizetype>(at)], axis.unit)
+                        .trimmed());
   };
   const QString found =
       MapTexts::tr("%1 at %2 and %3, contour error %4")
-          .arg(clock_text(best->time), value(study_.x, i % columns), value(study_.y, i / columns),
-               significant_text(best->error, Dimension::error, 3));
-  return bound.isEmpty() ? MapTexts::tr("fastest: %1").arg(found)
-                         : MapTexts::tr("fastest within %1: %2").arg(bound, found);
+          .arg(unbroken(clock_text(best->time)), value(study_.x, i % columns), value(study_.y, i / columns),
+               unbroken(significant_text(best->error, Dimension::error, 3)));
+  return bound.isEmpty() ? MapTexts::tr("recommended: %1").arg(found)
+                         : MapTexts::tr("recommended within %1: %2").arg(bound, found);
 }
 
 void StudyMapPicture::paint_map(QPainter& painter, const StudyMap& map, const QRectF& area) const {
@@ -446,7 +454,7 @@ void StudyMapPicture::paint_times(QPainter& painter, const StudyMap& map, const 
       painter.setPen(text_on(colour_of(cell.time)));
       painter.drawText(around, Qt::AlignCenter, text);
     }
-    if (cell.fastest) {
+    if (cell.best) {
       draw_ring(painter, around.adjusted(-4, -2, 4, 2));
     }
   }
@@ -515,8 +523,9 @@ void StudyMapPicture::paint_legend(QPainter& painter, const QRectF& area) const 
     return std::ranges::any_of(study_.maps,
                                [&](const StudyMap& map) { return std::ranges::any_of(map.cells, is); });
   };
-  if (any(&StudyMapCell::fastest)) {
-    entry(MapTexts::tr("fastest"), [&](const QRectF& at) { draw_ring(painter, at.adjusted(1, 0, -1, 0)); });
+  if (any(&StudyMapCell::best)) {
+    entry(MapTexts::tr("recommended"),
+          [&](const QRectF& at) { draw_ring(painter, at.adjusted(1, 0, -1, 0)); });
   }
   if (any([](const StudyMapCell& cell) { return !cell.possible; })) {
     entry(MapTexts::tr("not possible"),

@@ -27,7 +27,7 @@ struct StudyMapCell {
   double error = 0;  ///< largest contour error [mm]
   bool possible = true;
   std::size_t lines_not_run = 0;  ///< refused by the control
-  bool fastest = false;           ///< within the bound, as fastest_marks()
+  bool best = false;              ///< recommended_marks()
 };
 
 /// All runs of one model on one machine with equal further settings.
@@ -52,7 +52,7 @@ StudyMaps study_maps(const Study& study);
 std::vector<QLineF> contour_pieces(const StudyMap& map, std::size_t columns, double level);
 
 /// Maps side by side on one scale: a cell for each run, coloured by its cycle time, with lines of equal
-/// contour error, and a ring around the fastest run within the bound.
+/// contour error, and a ring around the recommended run.
 class StudyMapPicture {
  public:
   static constexpr int most_colours = 8;  ///< of the scale

@@ -25,7 +25,7 @@ void StudyTable::set_study(std::shared_ptr<const Study> study) {
   figures_.clear();
   marks_.clear();
   if (study_ != nullptr) {
-    marks_ = fastest_marks(study_->runs, study_->within);
+    marks_ = recommended_marks(study_->runs, study_->within);
     figures_ = source_figures_of(study_->runs, [](const StudyRun& run) { return &run.summary; });
   }
   endResetModel();
@@ -59,7 +59,7 @@ QVariant StudyTable::data(const QModelIndex& index, int role) const {
       return font;
     }
     case Qt::ToolTipRole:
-      return best               ? tr("The fastest within the bound")
+      return best               ? tr("Recommended: the smallest error among those within 1 % of the fastest")
              : run.out_of_reach ? tr("The program sends rotary axes where the machine cannot turn them.")
                                 : QVariant();
     default:

@@ -9,7 +9,7 @@
 
 namespace feedscope::ui {
 
-/// The runs of a study of one setting as rows; the fastest within the bound are marked (fastest_marks).
+/// The runs of a study of one setting as rows; the ones to take are marked (recommended_marks).
 class StudyTable : public QAbstractTableModel {
   Q_OBJECT
 

@@ -345,7 +345,7 @@ void StudyView::take(std::shared_ptr<const Study> study) {
   StudyCurves curves = study_curves(*study_);
   curves.recorded = recorded_times(workbench_.traces());
   chart_->set_study(to_qstring(workbench_.file().filename()), studied_name_, std::move(curves));
-  const StudyRun* best = fastest(study_->runs, study_->within);
+  const StudyRun* best = recommended(study_->runs, study_->within);
   if (best != nullptr) {
     table_->selectRow(static_cast<int>(best - study_->runs.data()));
   }
@@ -364,7 +364,7 @@ QString StudyView::verdict() const {
     return tr("No run is possible: the program sends rotary axes where the machine cannot turn them.");
   }
   const QLocale locale;
-  const StudyRun* best = fastest(study_->runs, study_->within);
+  const StudyRun* best = recommended(study_->runs, study_->within);
   if (best == nullptr) {
     return tr("No value keeps the contour error within %1.")
         .arg(amount_text(*study_->within, Dimension::error));
@@ -380,9 +380,12 @@ QString StudyView::verdict() const {
         .arg(key, clock_text(best->summary.cycle_time), rest);
   }
   const KeyUnit unit = key_unit(sweep_unit(study_->sweeps.front().key));
-  const QString lead = study_->within
-                           ? tr("Fastest within %1").arg(amount_text(*study_->within, Dimension::error))
-                           : tr("Fastest");
+  const QString bound = study_->within ? amount_text(*study_->within, Dimension::error) : QString();
+  const bool is_fastest =
+      best->summary.cycle_time == fastest(study_->runs, study_->within)->summary.cycle_time;
+  const QString lead = is_fastest ? (bound.isEmpty() ? tr("Fastest") : tr("Fastest within %1").arg(bound))
+                       : bound.isEmpty() ? tr("Recommended")
+                                         : tr("Recommended within %1").arg(bound);
   return (best->summary.actual ? tr("%1: %2 %3 with %4, actual contour error %5. %6")
                                : tr("%1: %2 %3 with %4, contour error %5. %6"))
       .arg(lead, key,

@@ -193,4 +193,25 @@ std::vector<bool> fastest_marks(std::span<const StudyRun> curve, std::optional<d
   return marks;
 }
 
+const StudyRun* recommended(std::span<const StudyRun> runs, std::optional<double> within) {
+  const auto taken = recommend(std::span<const RunTime>(times_of(runs)), within);
+  return taken ? &runs[taken->run] : nullptr;
+}
+
+std::vector<bool> recommended_marks(std::span<const StudyRun> curve, std::optional<double> within) {
+  std::vector<bool> marks(curve.size());
+  const std::vector<RunTime> times = times_of(curve);
+  const auto taken = recommend(std::span<const RunTime>(times), within);
+  if (!taken || makes_no_difference(curve, within)) {
+    return marks;
+  }
+  const RunTime& best = times[taken->run];
+  constexpr double rounding = 1e-9;  // of the time, relative; of errors [mm]
+  for (const std::size_t i : runs_to_choose_from(times, within)) {
+    marks[i] = std::abs(times[i].cycle_time - best.cycle_time) <= rounding * best.cycle_time &&
+               std::abs(times[i].contour_error - best.contour_error) <= rounding;
+  }
+  return marks;
+}
+
 }  // namespace feedscope

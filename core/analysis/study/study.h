@@ -68,4 +68,11 @@ bool makes_no_difference(std::span<const StudyRun> runs, std::optional<double> w
 /// difference.
 std::vector<bool> fastest_marks(std::span<const StudyRun> curve, std::optional<double> within);
 
+/// The run of a curve to take, as recommend(): null if no run keeps the bound.
+const StudyRun* recommended(std::span<const StudyRun> runs, std::optional<double> within);
+
+/// Whether each run of a curve is marked as the one to take: recommended() and those equal to it; none if the
+/// setting makes no difference.
+std::vector<bool> recommended_marks(std::span<const StudyRun> curve, std::optional<double> within);
+
 }  // namespace feedscope

@@ -163,6 +163,25 @@ TEST(Study, WithDrivesTheBoundIsOnTheActualContourError) {
   EXPECT_EQ(fastest(runs, 0.015), nullptr);
 }
 
+TEST(Study, RecommendsTheSmallestErrorWithinOnePercentOfTheFastest) {
+  std::vector<StudyRun> runs(4);
+  const std::vector<double> times{120, 100.5, 100.05, 100};
+  const std::vector<double> errors{0.002, 0.01, 0.019, 0.03};
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    runs[i].setup = make_setup({});
+    runs[i].summary.cycle_time = times[i];
+    runs[i].summary.cutting_contour_error = errors[i];
+  }
+  EXPECT_THAT(recommended_marks(runs, std::nullopt), ElementsAre(false, true, false, false));
+  EXPECT_THAT(recommended_marks(runs, 0.02), ElementsAre(false, true, false, false));
+  EXPECT_THAT(recommended_marks(runs, 0.005), ElementsAre(true, false, false, false));
+  EXPECT_THAT(recommended_marks(runs, 0.001), ElementsAre(false, false, false, false));
+  EXPECT_EQ(recommended(runs, 0.02), &runs[1]);
+  EXPECT_EQ(recommended(runs, 0.001), nullptr);
+  runs[0] = runs[1];  // equal in both
+  EXPECT_THAT(recommended_marks(runs, std::nullopt), ElementsAre(true, true, false, false));
+}
+
 TEST(Study, CausesAddUpToTheCycleTime) {
   const Study study = run_study(program_of("G1 X20 F3000\nY20\n"), request_of({"X.jerk=5;50"}, {"essid"}));
   for (const StudyRun& run : study.runs) {

@@ -4,6 +4,8 @@
 
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
+#include <functional>
 #include <random>
 
 namespace feedscope::ui {
@@ -52,7 +54,16 @@ TEST_F(DecisionChartTest, TheBoundIsDrawnAlongTheAxis) {
   EXPECT_NEAR(dragged.last()[0].toDouble(), 0.0283, 0.0005);
 }
 
-TEST(DecisionChartLabels, LieWithinTheChartAndNotOnEachOther) {
+std::vector<DecisionDot> four_dots(const std::function<QPointF()>& error_and_time, const QString& name) {
+  std::vector<DecisionDot> dots;
+  for (std::size_t row = 0; row < 4; ++row) {
+    const QPointF at = error_and_time();
+    dots.push_back({row, at.y(), at.x(), name, Qt::blue, row == 0, row == 0});
+  }
+  return dots;
+}
+
+TEST(DecisionChartLabels, LieWithinTheChartAndNotOnEachOtherOrTheBound) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> error(0.002, 0.1);
   std::uniform_real_distribution<double> time(50, 500);
@@ -60,21 +71,59 @@ TEST(DecisionChartLabels, LieWithinTheChartAndNotOnEachOther) {
     for (int round = 0; round < 50; ++round) {
       DecisionChart chart;
       chart.resize(size);
-      std::vector<DecisionDot> dots;
-      for (std::size_t row = 0; row < 4; ++row) {
-        dots.push_back({row, time(random), error(random), "0.05 mm", Qt::blue, row == 0, row == 0});
-      }
-      chart.set(dots, 0.02);
-      const std::vector<QRectF> labels = chart.labels();
+      chart.set(four_dots([&] { return QPointF(error(random), time(random)); }, "0.05 mm"), 0.02);
+      const std::vector<DecisionLabel> labels = chart.labels();
+      EXPECT_TRUE(QRectF(chart.rect()).contains(chart.bound_label())) << round;
       for (std::size_t i = 0; i < labels.size(); ++i) {
-        EXPECT_TRUE(QRectF(chart.rect()).contains(labels[i])) << round << ' ' << i;
+        EXPECT_TRUE(QRectF(chart.rect()).contains(labels[i].place)) << round << ' ' << i;
+        EXPECT_FALSE(labels[i].place.intersects(chart.bound_label())) << size.width() << ' ' << round;
         for (std::size_t k = 0; k < i; ++k) {
-          EXPECT_FALSE(labels[i].intersects(labels[k]))
+          EXPECT_FALSE(labels[i].place.intersects(labels[k].place))
               << size.width() << ' ' << round << ' ' << i << ' ' << k;
         }
       }
     }
   }
+}
+
+/// Also where errors hardly differ and dots touch each other.
+TEST(DecisionChartLabels, AreNearestToTheirOwnDots) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> error(0.001, 0.008);
+  std::uniform_real_distribution<double> time(140, 160);
+  int displaced = 0;
+  for (int round = 0; round < 100; ++round) {
+    DecisionChart chart;
+    chart.resize(326, 176);
+    std::vector<DecisionDot> dots = four_dots([&] { return QPointF(error(random), time(random)); }, "B");
+    dots.push_back({4, 110, 0.094, "E", Qt::red, false, false});
+    chart.set(dots, std::nullopt);
+    for (const DecisionLabel& label : chart.labels()) {
+      displaced += label.displaced ? 1 : 0;
+      const auto distance = [&](std::size_t dot) {
+        return QLineF(chart.place_of(dots[dot]), label.place.center()).length();
+      };
+      for (std::size_t other = 0; other < dots.size() && !label.displaced; ++other) {
+        EXPECT_TRUE(std::ranges::count(label.dots, other) > 0 ||
+                    distance(label.dots.front()) < distance(other))
+            << round << ' ' << label.text.toStdString() << other;
+      }
+    }
+  }
+  EXPECT_LT(displaced, 200) << "of 500, four of each five in a heap of 17 x 50 pixels";
+}
+
+TEST(DecisionChartLabels, NameDotsInOnePlaceTogether) {
+  DecisionChart chart;
+  chart.resize(326, 176);
+  chart.set({{0, 120, 0.008, "A", Qt::blue, true, true},
+             {1, 110, 0.02, "B", Qt::red, false, false},
+             {2, 120, 0.008, "C", Qt::green, false, false}},
+            std::nullopt);
+  const std::vector<DecisionLabel> labels = chart.labels();
+  ASSERT_EQ(labels.size(), 2U);
+  EXPECT_EQ(labels[0].text.toStdString(), "A, C");
+  EXPECT_EQ(labels[1].text.toStdString(), "B");
 }
 
 }  // namespace

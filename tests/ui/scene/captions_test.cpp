@@ -95,6 +95,31 @@ TEST(Captions, AnotherViewMayExplainBoth) {
   EXPECT_EQ(layout.covered().size(), 1U) << "the cube";
 }
 
+TEST(Captions, CloseUpsHaveStripsAboveAndBelowThePath) {
+  FullCaptions full;
+  full.captions.strip = true;
+  full.captions.cube = false;
+  for (const int width : {300, 416, 832, 3840}) {
+    for (const double scale : {0.68, 1.0}) {
+      const ScreenLayout layout = screen_layout(width, 290, scale, full.captions);
+      EXPECT_EQ(layout.colours.low, Vec2(0, 0));
+      EXPECT_EQ(layout.colours.high.x(), width) << "no path beside the colours";
+      EXPECT_LT(layout.colours.size().y(), 0.12 * 290);
+      EXPECT_EQ(layout.legend.low.x(), 0);
+      EXPECT_EQ(layout.legend.high, Vec2(width, 290));
+      EXPECT_TRUE(layout.colours.contains(layout.scale_bar)) << width << " at " << scale;
+    }
+  }
+}
+
+TEST(Captions, ARunUnderTheShownOneSaysSo) {
+  FullCaptions full;
+  full.captions.entries.overlays.pop_back();
+  const double before = screen_layout(1280, 800, 1, full.captions).legend.size().x();
+  full.captions.entries.overlays.front().beneath = true;
+  EXPECT_GT(screen_layout(1280, 800, 1, full.captions).legend.size().x(), before + 50);
+}
+
 TEST(Captions, TheLongestCausesAreNamedWhereNotAllHaveRoom) {
   FullCaptions full;
   full.captions.key = {Colouring::cause, {}, {}, {}};

@@ -51,6 +51,23 @@ class PathSceneTest : public testing::Test {
   PathScene scene_;
 };
 
+/// Two runs that are 0.05 mm apart at most: one line in the whole view, two close up.
+TEST_F(PathSceneTest, ARunIsNamedAsHiddenWhereTheShownOneCoversIt) {
+  const auto run = simulate_text("G21 G90 F3000\nG1 X100\nY100\n");
+  show(run, StandardView::top);
+  const auto legend_width = [&](double apart, double zoom) {
+    scene_.set_overlays(
+        {{std::make_shared<const SampledPath>(sample_executed(run.trajectory)), {1, 0, 0}, "B", apart}});
+    scene_.set_standard_view(StandardView::top);
+    scene_.zoom(zoom, {width / 2.0, height / 2.0});
+    window_->Render();
+    const auto [upper, lower] = scene_.covered().front();
+    return lower[0] - upper[0];
+  };
+  EXPECT_GT(legend_width(0.05, 1), legend_width(5, 1) + 50);
+  EXPECT_EQ(legend_width(0.05, 100), legend_width(5, 100));
+}
+
 /// Around the zero points, and nowhere else, the picture of a program with several offsets is another one
 /// than that of the same path without.
 TEST_F(PathSceneTest, ZeroPointsOfSeveralOffsetsAreMarked) {

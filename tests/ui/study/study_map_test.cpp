@@ -96,7 +96,7 @@ Study two_by_two() {
   return study;
 }
 
-TEST(StudyMapTest, ValuesRiseAndTheFastestWithinTheBoundIsMarked) {
+TEST(StudyMapTest, ValuesRiseAndTheRunToTakeIsMarked) {
   const StudyMaps maps = study_maps(two_by_two());
   EXPECT_THAT(maps.x.values, ::testing::ElementsAre(0.01, 0.04));
   EXPECT_EQ(maps.x.unit, "mm");
@@ -104,13 +104,13 @@ TEST(StudyMapTest, ValuesRiseAndTheFastestWithinTheBoundIsMarked) {
   EXPECT_EQ(maps.y.unit.toStdString(), "m/s³");
   ASSERT_EQ(maps.maps.size(), 1U);
   std::vector<double> times;
-  std::vector<bool> fastest;
+  std::vector<bool> best;
   for (const StudyMapCell& cell : maps.maps[0].cells) {
     times.push_back(cell.time);
-    fastest.push_back(cell.fastest);
+    best.push_back(cell.best);
   }
   EXPECT_THAT(times, ::testing::ElementsAre(12, 8, 11, 7));
-  EXPECT_THAT(fastest, ::testing::ElementsAre(false, false, true, false));
+  EXPECT_THAT(best, ::testing::ElementsAre(false, false, true, false));
 }
 
 TEST(StudyMapTest, ValuesAtItsSidesHaveTheDigitsThatTellThemApart) {

@@ -73,7 +73,7 @@ TEST_F(StudyViewTest, MarksAllValuesThatAreEquallyFastAndNoneWhereAllAre) {
   open();
   view.findChildren<QCheckBox*>().last()->setChecked(false);  // no bound of the error
   study("Z.velocity", 10, 20, 3);                             // nothing moves along Z
-  EXPECT_THAT(view.chart()->study().curves[0].fastest, IsEmpty());
+  EXPECT_THAT(view.chart()->study().curves[0].best, IsEmpty());
   EXPECT_THAT(view.verdict().toStdString(), HasSubstr("makes no difference to the cycle time"));
   const auto starred = [this] {
     int rows = 0;
@@ -85,7 +85,7 @@ TEST_F(StudyViewTest, MarksAllValuesThatAreEquallyFastAndNoneWhereAllAre) {
   };
   EXPECT_EQ(starred(), 0);
   study("X.velocity", 0.5, 100, 3);  // no feed is above 50 m/min
-  EXPECT_THAT(view.chart()->study().curves[0].fastest, ElementsAre(1U, 2U));
+  EXPECT_THAT(view.chart()->study().curves[0].best, ElementsAre(1U, 2U));
   EXPECT_EQ(starred(), 2);
 }
 
@@ -192,7 +192,7 @@ TEST(StudyTableTest, ARunOutOfReachIsMarkedAndNeverTheFastest) {
   ASSERT_EQ(curves.curves.size(), 1U);
   ASSERT_EQ(curves.curves[0].points.size(), 1U);
   EXPECT_EQ(curves.curves[0].points[0].value, 2);
-  EXPECT_THAT(curves.curves[0].fastest, ElementsAre(0U));
+  EXPECT_THAT(curves.curves[0].best, ElementsAre(0U));
 }
 
 TEST_F(StudyViewTest, EndingWhileItRunsIsClean) {

@@ -131,6 +131,13 @@ QString lines_key(const ReportInput& input) {
   if (input.run().shown->run.trajectory->blend_count() > 0) {
     parts.append(ReportWords::tr("dark edges corner blends"));
   }
+  const SampledPath& path = *input.run().shown->samples;
+  if (std::ranges::count(path.kinds, SpanKind::rapid) > 0) {
+    parts.append(ReportWords::tr("pale dashes rapids"));
+  }
+  if (!path.tool_axes.empty()) {
+    parts.append(ReportWords::tr("pins the tool axis"));
+  }
   parts.append(ReportWords::tr("pink the place and a circle its slowest point"));
   return ReportWords::tr("In pictures along the path: %1.").arg(parts.join(QStringLiteral(", ")));
 }

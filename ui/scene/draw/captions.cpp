@@ -28,6 +28,7 @@ constexpr double bar_length = 180;
 constexpr double bar_height = 8;
 constexpr double before_unit = 4;
 constexpr double longest_scale_bar = 120;
+constexpr double strip_height = 32;
 constexpr double cube_side = 44;
 constexpr double cube_letters = 12;    // around the cube
 constexpr double behind_texts = 0.85;  // opacity
@@ -76,12 +77,16 @@ CaptionEntry edged_entry(const std::string& text, double width, const Rgb& edge,
           }};
 }
 
-std::string with_factor(const Captions& captions) {
-  std::string text = captions.texts->exaggerated;
+std::string with(std::string text, const std::string& part) {
   if (const std::size_t place = text.find("%1"); place != std::string::npos) {
-    text.replace(place, 2, captions.texts->localised(fmt::format("{:.6g}", captions.exaggeration)));
+    text.replace(place, 2, part);
   }
   return text;
+}
+
+std::string with_factor(const Captions& captions) {
+  return with(captions.texts->exaggerated,
+              captions.texts->localised(fmt::format("{:.6g}", captions.exaggeration)));
 }
 
 bool explains_colours(const ColourKey& key) {
@@ -98,7 +103,8 @@ std::vector<CaptionEntry> legend_entries(const Captions& captions) {
                               captions.key.colouring == Colouring::run ? captions.run : colours.programmed));
   }
   for (const auto& overlay : entries.overlays) {
-    list.push_back(line_entry(overlay.name, 1.8, overlay.colour));
+    list.push_back(
+        line_entry(overlay.beneath ? with(texts.beneath, overlay.name) : overlay.name, 1.8, overlay.colour));
   }
   if (entries.programmed) {
     list.push_back(line_entry(texts.programmed, 1.4, colours.programmed));
@@ -232,6 +238,11 @@ struct ColourBar {
         has_words(captions.key.colouring == Colouring::time_lost),
         after(unit.empty() ? 0 : text_width(unit, scale) + before_unit * scale),
         length(std::min(bar_length * scale, width - 2 * (caption_margin + caption_padding) * scale - after)) {
+    if (captions.strip) {  // the scale bar is in the same row
+      const double others = text_width(title, scale) + after +
+                            (5 * caption_margin + longest_scale_bar + 2 * caption_padding) * scale;
+      length = std::min(length, std::max(least_length * scale, width - others));
+    }
     for (const CauseChange& change : captions.key.changes) {
       changes.push_back(captions.texts->name_of(change.kind) + " " + signed_time(change.time, captions));
     }
@@ -256,8 +267,7 @@ struct ColourBar {
   }
 
   void draw(Canvas& canvas, const ScreenRectangle& place, double scale, const Captions& captions) const {
-    const SceneColours& colours = *captions.colours;
-    TextStyle style = caption_style(scale, colours);
+    const TextStyle style = caption_style(scale, *captions.colours);
     const double left = place.low.x() + caption_padding * scale;
     canvas.text(title, {left, place.high.y() - caption_row / 2 * scale}, style);
     double top = place.high.y() - (caption_row + 2) * scale;
@@ -265,6 +275,23 @@ struct ColourBar {
       canvas.text(change, {left, top - (caption_row / 2 - 2) * scale}, style);
       top -= caption_row * scale;
     }
+    draw_scale(canvas, {left, top}, scale, captions);
+  }
+
+  /// In one row with its title.
+  void draw_in_strip(Canvas& canvas, const ScreenRectangle& place, double scale,
+                     const Captions& captions) const {
+    const Vec2 at = place.low + Vec2(caption_margin, strip_height - 5) * scale;
+    canvas.text(title, at - Vec2(0, bar_height / 2 * scale), caption_style(scale, *captions.colours));
+    draw_scale(canvas, at + Vec2(text_width(title, scale) + caption_margin * scale, 0), scale, captions);
+  }
+
+ private:
+  /// The bar with its numbers below and its unit after them; `corner`: its upper left one.
+  void draw_scale(Canvas& canvas, const Vec2& corner, double scale, const Captions& captions) const {
+    TextStyle style = caption_style(scale, *captions.colours);
+    const double left = corner.x();
+    const double top = corner.y();
     draw_bar(canvas, {left, top - bar_height * scale}, top, captions);
     const double y = top - (bar_height + 2 + caption_row / 2) * scale;
     canvas.text(unit, {left + length + before_unit * scale, y}, style);
@@ -280,7 +307,6 @@ struct ColourBar {
     }
   }
 
- private:
   static std::string signed_time(double time, const Captions& captions) {
     return captions.texts->localised((time < 0 ? "-" : "+") + short_time(std::abs(time)));
   }
@@ -293,6 +319,7 @@ struct ColourBar {
   }
 
   static constexpr double narrow_bar = 150;  // three numbers would not fit
+  static constexpr double least_length = 60;
 
   void draw_bar(Canvas& canvas, const Vec2& low, double top, const Captions& captions) const {
     constexpr int bands = colour_map_size / 2;
@@ -308,13 +335,17 @@ ScreenRectangle colours_place(double width, double height, double scale, const C
   if (!captions.legend || !explains_colours(captions.key)) {
     return {};
   }
+  if (captions.strip && captions.key.has_scale()) {
+    return {Vec2::Zero(), {width, strip_height * scale}};
+  }
   const Vec2 size = captions.key.has_scale() ? ColourBar(width, scale, captions).size(scale)
                                              : cause_rows(width, height, scale, captions).size(scale);
   const Vec2 low = Vec2::Constant(caption_margin * scale);
   return {low, low + size};
 }
 
-/// In the centre, else to the right of the colours or above them; none in a small picture.
+/// In the centre, else to the right of the colours or above them; none in a small picture. At the right of a
+/// strip of colours.
 ScreenRectangle scale_bar_place(const ScreenLayout& layout) {
   const double k = layout.scale;
   const Vec2 size((longest_scale_bar + 2 * caption_padding) * k, (caption_row + 8) * k);
@@ -326,6 +357,9 @@ ScreenRectangle scale_bar_place(const ScreenLayout& layout) {
   }
   const ScreenRectangle middle = at((layout.width - size.x()) / 2, caption_margin * k);
   const double right = layout.width - caption_margin * k - size.x();
+  if (layout.colours.high.x() == layout.width) {
+    return at(right, (strip_height - caption_row - 8) / 2 * k);
+  }
   if (layout.colours.empty() || !middle.meets(layout.colours.grown(after_entry * k))) {
     return middle;
   }
@@ -386,7 +420,10 @@ ScreenLayout screen_layout(int width, int height, double scale, const Captions& 
   ScreenLayout layout{double(width), double(height), scale, {}, {}, {}, {}};
   const double margin = caption_margin * scale;
   const Vec2 legend = legend_rows(width, height, scale, captions).size(scale);
-  layout.legend = {{margin, height - margin - legend.y()}, {margin + legend.x(), height - margin}};
+  layout.legend =
+      captions.strip && legend.y() > 0
+          ? ScreenRectangle{{0, height - legend.y()}, {double(width), double(height)}}
+          : ScreenRectangle{{margin, height - margin - legend.y()}, {margin + legend.x(), height - margin}};
   layout.colours = colours_place(width, height, scale, captions);
   layout.scale_bar = captions.legend ? scale_bar_place(layout) : ScreenRectangle{};
   const Vec2 corner(width - margin, height - margin);
@@ -402,12 +439,8 @@ std::string colour_title(const ColourKey& key, const SceneTexts& texts) {
   if (key.reference.empty()) {
     return colouring_title(key.colouring, texts);
   }
-  std::string title =
-      key.colouring == Colouring::time_lost ? texts.time_lost_against : texts.path_distance_from;
-  if (const std::size_t place = title.find("%1"); place != std::string::npos) {
-    title.replace(place, 2, key.reference);
-  }
-  return title;
+  return with(key.colouring == Colouring::time_lost ? texts.time_lost_against : texts.path_distance_from,
+              key.reference);
 }
 
 std::size_t named_causes(int width, int height, double scale, const Captions& captions) {
@@ -422,7 +455,7 @@ void draw_captions(Canvas& canvas, const ScreenLayout& layout, const Captions& c
   for (const ScreenRectangle& place :
        {layout.legend, layout.colours, has_bar ? layout.scale_bar : ScreenRectangle{}}) {
     if (!place.empty() && !captions.transparent) {
-      canvas.rectangle(place.low, place.high, colours.background, behind_texts);
+      canvas.rectangle(place.low, place.high, colours.background, captions.strip ? 1 : behind_texts);
     }
   }
   legend_rows(layout.width, layout.height, k, captions).draw(canvas, layout.legend, k, colours);
@@ -432,7 +465,9 @@ void draw_captions(Canvas& canvas, const ScreenLayout& layout, const Captions& c
   if (layout.colours.empty()) {
     return;
   }
-  if (captions.key.has_scale()) {
+  if (captions.strip && captions.key.has_scale()) {
+    ColourBar(layout.width, k, captions).draw_in_strip(canvas, layout.colours, k, captions);
+  } else if (captions.key.has_scale()) {
     ColourBar(layout.width, k, captions).draw(canvas, layout.colours, k, captions);
   } else {
     cause_rows(layout.width, layout.height, k, captions).draw(canvas, layout.colours, k, colours);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct LegendEntries {
   struct Overlay {
     std::string name;
     Rgb colour{};
+    double apart = HUGE_VAL;  ///< bound on its distance from the run [mm]
+    bool beneath = false;     ///< hidden by the run in this view
   };
   bool programmed = false;
   bool rapid = false;
@@ -38,6 +41,7 @@ struct Captions {
   bool transparent = false;  ///< without a background of the texts
   bool legend = true;        ///< false: another view explains both
   bool cube = false;
+  bool strip = false;  ///< in strips above and below the path instead of on top of it
 };
 
 /// Places of the texts over the picture; empty for missing ones.

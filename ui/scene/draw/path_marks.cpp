@@ -81,7 +81,7 @@ void draw_path_marks(Canvas& canvas, const SampledPath* programmed, const Sample
     draw_zero_points(canvas, programmed->zero_points, place_of, style);
   }
   const SampledPath* path = executed != nullptr ? executed : programmed;
-  if (path != nullptr && path->size() > 0) {
+  if (path != nullptr && path->size() > 0 && !style.texts.start.empty()) {
     draw_start_mark(canvas, place_of(path->position(0)), style.scale, style.colours);
   }
 }

@@ -178,7 +178,7 @@ void PathLayers::show_overlays(std::vector<OverlayRun> overlays) {
     if (!overlay.samples || overlay.samples->levels.empty()) {
       continue;
     }
-    entries_.overlays.push_back({overlay.name, overlay.colour});
+    entries_.overlays.push_back({overlay.name, overlay.colour, overlay.apart});
     const auto found = std::ranges::find_if(
         before, [&](const auto& path) { return path && path->shared_samples() == overlay.samples; });
     if (found != before.end()) {
@@ -368,14 +368,18 @@ Rgb PathLayers::colour_of(const Layer& layer) const {
   return colours.text;
 }
 
-/// The highlighted range, with one more point on either side.
+/// The highlighted range, with one more point on either side; its rapids only where it has nothing else.
 vtkSmartPointer<vtkCellArray> PathLayers::highlighted(const PathPart& part) const {
   if (!range_) {
     return polylines(part, 0, 0, is_cut);
   }
   const PartWindow within = window_within(part, range_);
+  bool has_cuts = false;
+  for (std::size_t k = within.first; k + 1 < within.end; ++k) {
+    has_cuts = has_cuts || is_cut(part.kind(k));
+  }
   return polylines(part, within.first > 0 ? within.first - 1 : 0, std::min(part.size(), within.end + 1),
-                   is_cut);
+                   [has_cuts](SpanKind kind) { return has_cuts ? is_cut(kind) : kind != SpanKind::gap; });
 }
 
 vtkSmartPointer<vtkCellArray> PathLayers::cells_of(const Layer& layer, const PathPart& part) const {

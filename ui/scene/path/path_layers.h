@@ -3,6 +3,7 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,6 +29,7 @@ struct OverlayRun {
   std::shared_ptr<const SampledPath> samples;
   Rgb colour{};
   std::string name;
+  double apart = HUGE_VAL;  ///< bound on its distance from the run [mm]
 };
 
 /// Appearance of the run's paths.
