@@ -5,6 +5,7 @@
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFOutlineDocumentHelper.hh>
 #include <qpdf/QPDFPageDocumentHelper.hh>
+#include <sstream>
 
 namespace feedscope::test {
 namespace {
@@ -112,6 +113,22 @@ std::vector<PdfReading::Tag> PdfReading::tags() {
     collect_tags(pdf_->getRoot().getKey("/StructTreeRoot"), found);
   }
   return found;
+}
+
+std::vector<std::pair<double, double>> PdfReading::line_ends(std::size_t page) {
+  QPDFObjectHandle object = QPDFPageDocumentHelper(*pdf_).getAllPages().at(page).getObjectHandle();
+  const auto bytes = object.getKey("/Contents").getStreamData();
+  std::istringstream words(std::string(reinterpret_cast<const char*>(bytes->getBuffer()), bytes->getSize()));
+  std::vector<std::pair<double, double>> ends;
+  std::string x;
+  std::string y;
+  for (std::string word; words >> word;) {
+    if (word == "l") {
+      ends.emplace_back(std::stod(x), std::stod(y));
+    }
+    x = std::exchange(y, word);
+  }
+  return ends;
 }
 
 std::size_t PdfReading::marked_contents() {

@@ -48,6 +48,9 @@ class PdfReading {
   /// Marked contents of all pages, artifacts not counted; every beginning has its end.
   std::size_t marked_contents();
 
+  /// Ends of the lines on a page, as its contents have them.
+  std::vector<std::pair<double, double>> line_ends(std::size_t page);
+
   /// Whether every font of the pages is inside the file.
   bool fonts_embedded();
   /// What copying text gives that nobody has typed: ligatures as characters of their own, U+FB00 to U+FB06,
