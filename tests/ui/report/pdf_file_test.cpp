@@ -95,10 +95,8 @@ TEST(PdfFile, CoordinatesAreRoundedToWhatAPrinterShows) {
   ASSERT_EQ(exact.size(), rounded.size());
   ASSERT_GE(exact.size(), 1999U);
   for (std::size_t i = 0; i < exact.size(); ++i) {
-    ASSERT_LE((std::abs(exact[i].first - rounded[i].first) + std::abs(exact[i].second - rounded[i].second)) *
-                  scale / dots_a_point,
-              0.01)
-        << i;
+    ASSERT_LE(std::abs(exact[i].first - rounded[i].first) / dots_a_point, 0.005) << i;
+    ASSERT_LE(std::abs(exact[i].second - rounded[i].second) / dots_a_point, 0.005) << i;
   }
   EXPECT_LT(static_cast<double>(finished.size()), 0.75 * static_cast<double>(plain.size()));
 }
