@@ -15769,12 +15769,16 @@ Ensemble&#xa0;: %4</translation>
         <translation>hors de portée</translation>
     </message>
     <message>
-        <source>Mean feed with rapids</source>
-        <translation>Avance moyenne, rapides compris</translation>
-    </message>
-    <message>
         <source>Recommended: the smallest error among those within 1 % of the fastest</source>
         <translation>Recommandée&#xa0;: la plus petite erreur parmi celles à moins de 1 % de la plus rapide</translation>
+    </message>
+    <message>
+        <source>Mean feed with rapids: executed path over cycle time without dwells</source>
+        <translation>Avance moyenne, rapides compris&#xa0;: trajectoire exécutée divisée par le temps de cycle sans les pauses</translation>
+    </message>
+    <message>
+        <source>Mean feed</source>
+        <translation>Avance moyenne</translation>
     </message>
 </context>
 <context>

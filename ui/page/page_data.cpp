@@ -368,9 +368,9 @@ QJsonArray annotations_json(const ReportInput& input) {
 
 class PageWriter {
  public:
-  PageWriter(const ReportInput& input, std::size_t most_nodes) : input_(input), most_nodes_(most_nodes) {
+  PageWriter(const ReportInput& input, std::size_t most_nodes)
+      : input_(input), most_(most_nodes / input.runs.size()) {
     for (const ReportRun& run : input.runs) {
-      pieces_ += run.shown->run.trajectory->pieces().size();
       for (const CauseKind kind : deciding_rotary_limits(run.shown->run)) {
         if (std::ranges::find(rotary_limits_, kind) == rotary_limits_.end()) {
           rotary_limits_.push_back(kind);
@@ -481,24 +481,20 @@ class PageWriter {
     }
     const std::size_t programmed = programmed_of(trajectory);
     const double top_feed = run.shown->samples->peak_feed;
-    // By pieces: a run that speeds up and brakes more often needs more nodes to be drawn as well as the
-    // others.
-    const std::size_t most = most_nodes_ * trajectory.pieces().size() / pieces_;
-    const RunNodes nodes = run_nodes(trajectory, top_feed, most, views_, progress);
+    const RunNodes nodes = run_nodes(trajectory, top_feed, most_, views_, progress);
     json["programmed"] = static_cast<qint64>(programmed);
     json["nodes"] = nodes_json(nodes.nodes, steps_[programmed], data_);
     json["top_feed"] = top_feed;
     json["precision"] =
         QJsonObject{{"position", 2 * nodes.precision.position}, {"speed", 2 * nodes.precision.speed}};
     json["rotary"] =
-        rotary_json(rotary_curves(run.shown->run, rotary_limits_, most / curve_share, progress), data_);
+        rotary_json(rotary_curves(run.shown->run, rotary_limits_, most_ / curve_share, progress), data_);
     json["places"] = places_json(*run.shown, places_[i]);
     return json;
   }
 
   const ReportInput& input_;
-  std::size_t most_nodes_;
-  std::size_t pieces_ = 0;                      ///< of all runs
+  std::size_t most_;
   std::vector<CauseKind> rotary_limits_;        ///< that slow one of the runs
   std::vector<std::vector<SlowPlace>> places_;  ///< of each run
   std::vector<CloseView> views_;                ///< of the listed places of all runs

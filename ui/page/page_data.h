@@ -8,7 +8,7 @@
 namespace feedscope::ui {
 
 /// Nodes of all runs together; in a page about 8 bytes each for a long program.
-inline constexpr std::size_t most_page_nodes = 350'000;
+inline constexpr std::size_t most_page_nodes = 400'000;
 
 /// Data of a report's runs for its page, in the format of README.md in this folder: PageData::packed().
 /// The same input gives the same bytes. Throws Cancelled if `progress` is cancelled.

@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <utility>
 
+#include "core/analysis/study/recommendation.h"
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
@@ -82,7 +83,7 @@ QString StudyTable::text(const StudyRun& run, int column) const {
     case mean_feed:
       return number_text(summary.mean_feed, Dimension::feed);
     case contour_error:
-      return number_text(summary.cutting_contour_error, Dimension::error);
+      return number_text(deciding_error(summary), Dimension::error);
     case cause:
       return main_cause_text(summary);
     default: {
@@ -94,6 +95,9 @@ QString StudyTable::text(const StudyRun& run, int column) const {
 }
 
 QVariant StudyTable::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation == Qt::Horizontal && role == Qt::ToolTipRole && section == mean_feed) {
+    return tr("Mean feed with rapids: executed path over cycle time without dwells");
+  }
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
     return {};
   }
@@ -104,7 +108,7 @@ QVariant StudyTable::headerData(int section, Qt::Orientation orientation, int ro
     case cycle_time:
       return tr("Cycle time");
     case mean_feed:
-      return with_unit_of(tr("Mean feed with rapids"), Dimension::feed);
+      return with_unit_of(tr("Mean feed"), Dimension::feed);
     case contour_error:
       return with_unit_of(tr("Error"), Dimension::error);
     case cause:
