@@ -11169,6 +11169,10 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <source>Time</source>
         <translation>Temps</translation>
     </message>
+    <message>
+        <source>actual contour error</source>
+        <translation>erreur de contour réelle</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ContourChart</name>

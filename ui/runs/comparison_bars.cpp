@@ -5,6 +5,8 @@
 #include <functional>
 #include <numeric>
 
+#include "core/analysis/study/recommendation.h"
+
 namespace feedscope::ui {
 namespace {
 
@@ -62,7 +64,7 @@ ComparisonBar bar_of(const ComparedRun& run, const KindFlags& told) {
                     run.tolerance,
                     run.is_possible() ? summary.cycle_time : 0,  // rapids and dwells are not a run of it
                     run.against_cam(),
-                    summary.cutting_contour_error,
+                    deciding_error(summary),
                     run.refused,
                     run.out_of_reach,
                     run.lines_not_run,
@@ -102,6 +104,8 @@ ComparisonBars comparison_bars(std::span<const ComparedRun> runs) {
       result.kinds.push_back(static_cast<CauseKind>(k));
     }
   }
+  result.actual =
+      std::ranges::all_of(runs, [](const ComparedRun& run) { return run.summary.actual.has_value(); });
   const std::string* machine = nullptr;
   for (const ComparedRun& run : runs) {
     if (machine == nullptr || *machine != run.setup.machine.id) {

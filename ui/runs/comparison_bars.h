@@ -22,7 +22,7 @@ struct ComparisonBar {
   std::optional<ToleranceInForce> tolerance;  ///< if the model follows one
   double cycle_time = 0;                      ///< [s]
   double against_cam = 1;                     ///< cycle time over programmed time
-  double contour_error = 0;                   ///< largest [mm]
+  double contour_error = 0;                   ///< deciding_error() [mm]
   bool refused = false;                       ///< ComparedRun::refused
   bool out_of_reach = false;                  ///< ComparedRun::out_of_reach
   std::size_t lines_not_run = 0;              ///< refused by the control
@@ -42,6 +42,7 @@ struct ComparisonBars {
   std::vector<CauseKind> kinds;       ///< distinguished kinds, in the order of their parts
   bool rest = false;                  ///< whether any bar has a part without cause that can be seen
   bool lines_refused = false;         ///< whether a control refuses lines of any run
+  bool actual = false;                ///< whether contour errors are those of the drives
   double longest = 0;                 ///< longest time that the bars show [s]
 
   std::size_t count() const;

@@ -165,7 +165,8 @@ std::vector<TextColumn> figure_columns(const ComparisonBars& bars) {
                    : QStringLiteral("× %1").arg(locale.toString(bar.against_cam, 'f', 3));
       }));
   columns.push_back(figure_column(
-      bars, Comparison::tr("contour error"), with_unit_of({}, Dimension::error).trimmed(),
+      bars, bars.actual ? Comparison::tr("actual contour error") : Comparison::tr("contour error"),
+      with_unit_of({}, Dimension::error).trimmed(),
       [&](const ComparisonBar& bar) { return number_text(bar.contour_error, Dimension::error); }));
   if (bars.lines_refused) {
     columns.push_back(

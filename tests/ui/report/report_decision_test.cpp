@@ -93,11 +93,11 @@ TEST(ReportDecision, RunsWithoutAChoiceSaySo) {
 
 TEST(ReportDecision, APathThatIsShortenedIsFasterThanProgrammed) {
   EXPECT_THAT(DecisionTexts::single({.cycle_time = 9, .programmed_time = 10}).toStdString(),
-              HasSubstr("9.00 s, 1.00 s less than programmed (11 %); contour error"));
+              HasSubstr("9.00\u00a0s, 1.00\u00a0s less than programmed (11\u00a0%); contour error"));
   EXPECT_THAT(DecisionTexts::single({.cycle_time = 10, .programmed_time = 10}).toStdString(),
-              HasSubstr("10.0 s, as long as programmed; contour error"));
+              HasSubstr("10.0\u00a0s, as long as programmed; contour error"));
   EXPECT_THAT(DecisionTexts::single({.cycle_time = 10, .programmed_time = 9}).toStdString(),
-              HasSubstr("10.0 s, of which 1.00 s are lost (10 %); contour error"));
+              HasSubstr("10.0\u00a0s, of which 1.00\u00a0s are lost (10\u00a0%); contour error"));
 }
 
 TEST(ReportDecision, NothingLostHasNoHeading) {
