@@ -28,8 +28,9 @@ class ExplainCommand : public CommandLine {
 };
 
 TEST_F(ExplainCommand, SaysWhereTheTimeGoesAndWhatHelps) {
-  const Result result = run("explain stairs.nc --set tool_change_time_s=4");
+  Result result = run("explain stairs.nc --set tool_change_time_s=4");
   EXPECT_EQ(result.code, 0) << result.err;
+  std::ranges::replace(result.out, '\n', ' ');
   EXPECT_THAT(result.out, AllOf(HasSubstr("What it consists of"), HasSubstr("tool changes"),
                                 HasSubstr("Operations by tool"), HasSubstr("tool 2"), HasSubstr("corners: "),
                                 HasSubstr("turn 90 deg"), HasSubstr("What would help"),
