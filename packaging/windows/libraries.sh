@@ -99,7 +99,7 @@ library() {
   if [[ $name != headers ]]; then
     install -m 644 "$cache/work/$name/debian/copyright" "$cache/licences/$name.txt"
   fi
-  echo "$(basename "${dsc%.dsc}"), built in $((SECONDS - start)) s" >"$cache/done/$name"
+  echo "${dsc:+$(basename "${dsc%.dsc}"), }built in $((SECONDS - start)) s" >"$cache/done/$name"
   rm -rf "$cache/work/$name" "$cache/work/$name-build"
   echo "   built in $((SECONDS - start)) s"
 }
@@ -144,7 +144,7 @@ build_onetbb() { cross onetbb -DTBB_TEST=OFF -DTBBMALLOC_BUILD=OFF -DTBB_STRICT=
 # Static, as the rest; zlib, PNG, JPEG, FreeType and double-conversion are those of the prefix, which VTK has too.
 build_qt6_base() {
   local name feature=()
-  for name in sql network dbus testlib xml icu fontconfig glib system_harfbuzz system_pcre2 zstd tabletevent vulkan; do
+  for name in sql network dbus testlib xml icu fontconfig glib system_harfbuzz system_pcre2 zstd tabletevent vulkan direct2d; do
     feature+=("-DFEATURE_$name=OFF")
   done
   for name in zlib png jpeg freetype doubleconversion; do
