@@ -44,7 +44,7 @@ void PlotGrid::upright(double x, const QString& label, GridLine line) {
 }
 
 void PlotGrid::draw_label(const QRectF& place, Qt::Alignment side, const QString& label, QRectF& last) {
-  if (!place.intersects(last)) {
+  if (!label.isEmpty() && !place.intersects(last)) {
     painter_.setPen(look_.text);
     painter_.drawText(place, side | Qt::AlignVCenter, label);
     last = place;

@@ -31,9 +31,9 @@ class PlotGrid {
   /// The painter has the font of the labels and outlives this.
   PlotGrid(QPainter& painter, const QRectF& plot, GridLook look);
 
-  /// A horizontal line at a height of the plot, with its label left of the plot.
+  /// A horizontal line at a height of the plot, with its label, if any, left of the plot.
   void level(double y, const QString& label, GridLine line = GridLine::usual);
-  /// A vertical line, with its label under the plot.
+  /// A vertical line, with its label, if any, under the plot.
   void upright(double x, const QString& label, GridLine line = GridLine::usual);
   /// Continues vertical lines through this plot, which is above or below and shares the axis, without a tick.
   void share(const QRectF& plot) { shared_ = plot; }

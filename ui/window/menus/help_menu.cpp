@@ -60,8 +60,8 @@ void HelpMenu::show_about() {
       tr("<h3>Feedscope %1</h3><p>Shows what a CNC control does with an NC program: path, feed, "
          "acceleration and jerk, and what limits the feed.</p><p>Models of published controls on "
          "published machines. How far to trust a number: <i>Help › Handbook</i>, <i>Models and "
-         "accuracy</i>.</p><p>The source is BSD 3-clause. This program links Qt Charts and is distributed "
-         "under the GPL 3. With Qt %2, VTK and the DejaVu fonts.</p>")
+         "accuracy</i>.</p><p>The source is BSD 3-clause. With Qt %2 (LGPL 3), "
+         "VTK and the DejaVu fonts.</p>")
           .arg(QStringLiteral(FEEDSCOPE_VERSION), QString::fromLatin1(qVersion())),
       QMessageBox::Close, &window_);
   about.setIconPixmap(QApplication::windowIcon().pixmap(64));
