@@ -266,8 +266,8 @@
         <translation>Pas de différence utile&#xa0;: %1 dure %2, %3.</translation>
     </message>
     <message>
-        <source>The cycle times differ by less than 1 %. This run has the smallest error.</source>
-        <translation>Les temps de cycle diffèrent de moins de 1 %. Cette simulation a la plus petite erreur.</translation>
+        <source>The cycle times differ by less than 1 %. No run has a smaller error.</source>
+        <translation>Les temps de cycle diffèrent de moins de 1 %. Aucune simulation n’a d’erreur plus petite.</translation>
     </message>
     <message>
         <source>%1: %2, %3 less than %4, %5.</source>

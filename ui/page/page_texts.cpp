@@ -87,7 +87,7 @@ constexpr PageText texts_of_page[] = {
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "Speed")},
     {"DecisionTexts",
      QT_TRANSLATE_NOOP("DecisionTexts",
-                       "The cycle times differ by less than 1 %. This run has the smallest error.")},
+                       "The cycle times differ by less than 1 %. No run has a smaller error.")},
     {"DecisionTexts",
      QT_TRANSLATE_NOOP("DecisionTexts", "The fastest run. None within 1 % of it has a smaller error.")},
     {"DecisionTexts",

@@ -138,7 +138,7 @@ Decision DecisionTexts::decision(std::span<const ComparedRun> runs, const QStrin
       return {tr("%1: %2, %3.").arg(name, time, error(summary)), only(why_only(runs, bound))};
     case Recommendation::Reason::no_difference:
       return {tr("No difference worth having: %1 takes %2, %3.").arg(name, time, error(summary)),
-              tr("The cycle times differ by less than 1 %. This run has the smallest error.")};
+              tr("The cycle times differ by less than 1 %. No run has a smaller error.")};
     case Recommendation::Reason::fastest:
     case Recommendation::Reason::smallest_error:
       break;

@@ -51,7 +51,7 @@ export function decisionTexts(runs, taken, within, withoutChoice) {
   if (taken.reason === 'no-difference') {
     return {
       headline: tr('No difference worth having: %1 takes %2, %3.', name, time, errorText(choice)),
-      rule: tr('The cycle times differ by less than 1 %. This run has the smallest error.'),
+      rule: tr('The cycle times differ by less than 1 %. No run has a smaller error.'),
     };
   }
   const otherModel = choices.some(
