@@ -51,7 +51,7 @@ std::optional<CardPlace> unseen_place(const SlowGroup& group, const std::vector<
 std::vector<CardPlace> card_places(const TimeReport& report) {
   constexpr std::size_t most = 5;
   constexpr std::size_t least = 3;
-  constexpr double worth_a_card = 2e-3;  // of the cycle time
+  constexpr double worth_a_card = 0.01;  // of the cycle time, as a difference worth having
   std::vector<CardPlace> cards;
   for (const SlowGroup& group : report.slow.groups) {
     if (cards.size() < most && group.loss >= worth_a_card * report.use.cycle_time) {
