@@ -18,36 +18,41 @@ namespace feedscope {
 namespace {
 
 std::string model_name(const Setup& setup) {
-  return fmt::format("model '{}'", setup.model->info().id);
+  return fmt::format("'{}'", setup.model->info().id);
 }
 
 std::string machine_name(const Setup& setup) {
-  return fmt::format("machine '{}'", setup.machine.id);
+  return fmt::format("'{}'", setup.machine.id);
 }
 
 std::string run_name(const Setup& setup) {
   return model_name(setup) + " on " + machine_name(setup);
 }
 
-/// Prefix that names some of several runs, by machine or model if all runs with these are among them: "model
-/// 'essid', model 'ward': ". Empty for all runs.
+/// Prefix that names some of several runs, by machine or model if all runs with these are among them: "models
+/// 'essid', 'ward': ". Empty for all runs.
 std::string names_of(const std::vector<bool>& chosen, std::span<const RemarkedSetup> runs) {
   if (std::ranges::find(chosen, false) == chosen.end()) {
     return {};
   }
-  for (const auto name : {machine_name, model_name, run_name}) {
+  struct Naming {
+    const char* kind;
+    std::string (*name)(const Setup&);
+  };
+  for (const auto& [kind, name] :
+       {Naming{"machine", machine_name}, Naming{"model", model_name}, Naming{"model", run_name}}) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < runs.size(); ++i) {
       if (std::string one = name(*runs[i].setup); chosen[i] && std::ranges::find(names, one) == names.end()) {
         names.push_back(std::move(one));
       }
     }
-    const auto is_named = [&](const RemarkedSetup& run) {
+    const auto is_named = [&, name = name](const RemarkedSetup& run) {
       return std::ranges::find(names, name(*run.setup)) != names.end();
     };
     const auto named = static_cast<std::ptrdiff_t>(std::ranges::count_if(runs, is_named));
     if (named == std::ranges::count(chosen, true) || name == run_name) {
-      return fmt::format("{}: ", fmt::join(names, ", "));
+      return fmt::format("{}{} {}: ", kind, names.size() > 1 ? "s" : "", fmt::join(names, ", "));
     }
   }
   return {};

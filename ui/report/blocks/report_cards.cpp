@@ -51,10 +51,13 @@ std::optional<CardPlace> unseen_place(const SlowGroup& group, const std::vector<
 std::vector<CardPlace> card_places(const TimeReport& report) {
   constexpr std::size_t most = 5;
   constexpr std::size_t least = 3;
-  constexpr double worth_a_card = 0.01;  // of the cycle time, as a difference worth having
+  constexpr double least_of_time = 2e-3;    // share of the cycle time
+  constexpr double least_of_losses = 0.02;  // share of all that is lost
+  const double worth_a_card =
+      std::max(least_of_time * report.use.cycle_time, least_of_losses * report.slow.loss);
   std::vector<CardPlace> cards;
   for (const SlowGroup& group : report.slow.groups) {
-    if (cards.size() < most && group.loss >= worth_a_card * report.use.cycle_time) {
+    if (cards.size() < most && group.loss >= worth_a_card) {
       if (auto card = unseen_place(group, cards)) {
         card->leads = true;
         cards.push_back(*card);
