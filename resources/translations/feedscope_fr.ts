@@ -15682,6 +15682,10 @@ Ensemble&#xa0;: %4</translation>
         <source>%1: %2</source>
         <translation>%1&#xa0;: %2</translation>
     </message>
+    <message>
+        <source>Largest actual contour error</source>
+        <translation>Plus grande erreur de contour réelle</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::StudyMapPicture</name>
@@ -15732,6 +15736,14 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>recommended</source>
         <translation>recommandée</translation>
+    </message>
+    <message>
+        <source>%1 at %2 and %3, actual contour error %4</source>
+        <translation>%1 à %2 et %3, erreur de contour réelle %4</translation>
+    </message>
+    <message>
+        <source>actual contour error</source>
+        <translation>erreur de contour réelle</translation>
     </message>
 </context>
 <context>

@@ -248,10 +248,12 @@ void StudyChart::draw_plot(QPainter& painter, const Layout& layout, bool is_erro
   const Ticks ticks = is_error ? round_ticks(least, most, max_ticks) : clock_ticks(least, most, max_ticks);
   painter.setFont(sized(font(), text_size, true));
   painter.setPen(theme_colours(palette()).text);
-  painter.drawText(QRectF(margin, plot.top() - line - 6, plot.right() - margin, line),
-                   Qt::AlignLeft | Qt::AlignVCenter,
-                   is_error ? with_unit_of(tr("Largest contour error"), Dimension::error)
-                            : time_scale_title(tr("Cycle time"), ticks));
+  painter.drawText(
+      QRectF(margin, plot.top() - line - 6, plot.right() - margin, line), Qt::AlignLeft | Qt::AlignVCenter,
+      is_error
+          ? with_unit_of(study_.actual ? tr("Largest actual contour error") : tr("Largest contour error"),
+                         Dimension::error)
+          : time_scale_title(tr("Cycle time"), ticks));
   painter.setFont(font());
   PlotGrid grid(painter, plot, grid_look(palette()));
   for (std::size_t i = 0; i < ticks.values.size(); ++i) {

@@ -30,9 +30,14 @@ QString family_name(const Study& study, const StudyRun& run) {
   return name.trimmed();
 }
 
+bool errors_are_actual(const Study& study) {
+  return std::ranges::all_of(study.runs, [](const StudyRun& run) { return run.summary.actual.has_value(); });
+}
+
 StudyCurves study_curves(const Study& study) {
   StudyCurves shown;
   shown.within = study.within;
+  shown.actual = errors_are_actual(study);
   if (study.sweeps.empty()) {
     return shown;
   }

@@ -36,9 +36,13 @@ struct StudyCurves {
   QString unit;   ///< "" for a plain number
   bool logarithmic = false;
   std::optional<double> within;  ///< bound of the contour error [mm]
+  bool actual = false;           ///< errors_are_actual()
   std::vector<StudyCurve> curves;
   std::vector<RecordedTime> recorded = {};
 };
+
+/// Whether the contour errors that decide (deciding_error) are those of the drives in all runs.
+bool errors_are_actual(const Study& study);
 
 /// Common part of the runs in one curve or map of a study: model, machine, the tolerance if it differs within
 /// the study, the values of all sweeps after the second.

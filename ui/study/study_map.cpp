@@ -176,7 +176,8 @@ void draw_ring(QPainter& painter, const QRectF& around) {
 }  // namespace
 
 StudyMaps study_maps(const Study& study) {
-  StudyMaps shown{map_axis(study.sweeps[0]), map_axis(study.sweeps[1]), study.within, {}};
+  StudyMaps shown{
+      map_axis(study.sweeps[0]), map_axis(study.sweeps[1]), study.within, errors_are_actual(study), {}};
   const std::size_t count = shown.x.values.size() * shown.y.values.size();
   for (std::size_t first = 0; first + count <= study.runs.size(); first += count) {
     shown.maps.push_back(map_of(study, std::span(study.runs).subspan(first, count)));
@@ -337,7 +338,8 @@ QString StudyMapPicture::best_text(const StudyMap& map) const {
                         .trimmed());
   };
   const QString found =
-      MapTexts::tr("%1 at %2 and %3, contour error %4")
+      (study_.actual ? MapTexts::tr("%1 at %2 and %3, actual contour error %4")
+                     : MapTexts::tr("%1 at %2 and %3, contour error %4"))
           .arg(unbroken(clock_text(best->time)), value(study_.x, i % columns), value(study_.y, i / columns),
                unbroken(significant_text(best->error, Dimension::error, 3)));
   return bound.isEmpty() ? MapTexts::tr("recommended: %1").arg(found)
@@ -514,7 +516,9 @@ void StudyMapPicture::paint_legend(QPainter& painter, const QRectF& area) const 
     };
   };
   if (!levels_.empty()) {
-    entry(with_unit_of(MapTexts::tr("contour error"), Dimension::error), line(false));
+    entry(with_unit_of(study_.actual ? MapTexts::tr("actual contour error") : MapTexts::tr("contour error"),
+                       Dimension::error),
+          line(false));
   }
   if (study_.within) {
     entry(MapTexts::tr("bound"), line(true));

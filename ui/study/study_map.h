@@ -41,6 +41,7 @@ struct StudyMaps {
   StudyMapAxis x;
   StudyMapAxis y;
   std::optional<double> within;  ///< bound of the contour error [mm]
+  bool actual = false;           ///< errors_are_actual()
   std::vector<StudyMap> maps;
 };
 
