@@ -21,7 +21,7 @@ namespace {
 constexpr double question_chart_height = 150;  // [1/96 inch]
 constexpr double question_view_height = 210;
 constexpr std::size_t most_circles = 4;
-constexpr const char* causes_caption = "What limits the feed along the path";
+constexpr const char* causes_caption = "Limiting cause along the path";
 
 /// A caption of a picture in the language of the lesson.
 QString caption(const char* english, const Lesson& lesson, const std::string& what) {
