@@ -99,7 +99,7 @@ void tell_of_run(const Run& run, const RunOptions& asked, const ReadOptions& rea
 
 void print_messages(const Run& run) {
   print_diagnostics(*run.input.program);
-  print_diagnostics(run.input.lines_not_run, *run.input.program);
+  print_diagnostics(first_refusals(run.input.lines_not_run), *run.input.program);
   print_diagnostics(run.input.toolpath->machine_faults, *run.input.program);
 }
 

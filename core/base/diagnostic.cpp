@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <span>
 #include <string_view>
 #include <tuple>
 
@@ -73,22 +74,21 @@ std::vector<RepeatedDiagnostic> without_repeats(const std::vector<Diagnostic>& d
 }
 
 Message repeats_text(const RepeatedDiagnostic& diagnostic) {
-  const std::vector<std::uint32_t>& lines = diagnostic.further_lines;
-  Message also;
-  if (lines.size() == 1) {
-    also = message(NC_("core", "also in line {}"), lines.front());
-  } else if (!lines.empty()) {
-    std::vector<Message> numbers;
-    for (const std::uint32_t line : lines) {
-      numbers.push_back(Message::number(std::to_string(line)));
-    }
-    also = message(NC_("core", "also in lines {}"), listed(numbers));
+  constexpr std::size_t most_lines = 10;
+  const std::size_t shown = std::min(diagnostic.further_lines.size(), most_lines);
+  std::vector<Message> numbers;
+  for (const std::uint32_t line : std::span(diagnostic.further_lines).first(shown)) {
+    numbers.push_back(Message::number(std::to_string(line)));
   }
-  if (diagnostic.unlisted == 0) {
+  const Message also = shown == 0   ? Message()
+                       : shown == 1 ? message(NC_("core", "also in line {}"), numbers.front())
+                                    : message(NC_("core", "also in lines {}"), listed(numbers));
+  const std::uint64_t rest = diagnostic.unlisted + (diagnostic.further_lines.size() - shown);
+  if (rest == 0) {
     return also;
   }
-  const Message more =
-      message(NC_("core", "{} more up to line {}"), diagnostic.unlisted, diagnostic.last_line);
+  const std::uint32_t last = std::max(diagnostic.last_line, shown == 0 ? 0 : diagnostic.further_lines.back());
+  const Message more = message(NC_("core", "{} more up to line {}"), rest, last);
   return also.empty() ? more : message(NC_("core", "{}; {}"), also, more);
 }
 

@@ -45,7 +45,8 @@ std::uint64_t count_of(const std::vector<Diagnostic>& diagnostics, Severity seve
 /// Merges equal messages about several places of a file, in the order of their first places. A final message
 /// that counts the rest of a kind is merged with the message of this kind if there is only one.
 std::vector<RepeatedDiagnostic> without_repeats(const std::vector<Diagnostic>& diagnostics);
-/// Text such as "also in lines 5, 7 and 12; 20 more up to line 90"; empty for a message without repeats.
+/// Text such as "also in lines 5, 7 and 12; 20 more up to line 90", with the first ten lines; empty for a
+/// message without repeats.
 Message repeats_text(const RepeatedDiagnostic& diagnostic);
 
 /// One line in the style of a compiler; `file` is the program's: "part.nc:3:7: error: message [code]",

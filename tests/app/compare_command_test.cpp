@@ -175,6 +175,26 @@ TEST_F(CompareCommand, ExplainSaysWhatIsRefusedBeforeItsTimes) {
   EXPECT_THAT(out, HasSubstr("1 line of the program is refused"));
 }
 
+/// Klipper needs a command on every line: a long program that leaves it out is refused line by line.
+TEST_F(CompareCommand, RefusalsOfALongProgramFitOnAScreen) {
+  std::string text = "G21 G90\nG1 X0 Y0 F1000\n";
+  for (int i = 1; i <= 20000; ++i) {
+    text += "X" + std::to_string(i % 500) + "." + std::to_string(i) + "\nY0\n";
+  }
+  write("modal.nc", text);
+  const Result klipper = run("simulate modal.nc --machine huron-kx10 --model klipper --json modal.json");
+  EXPECT_LT(klipper.err.size(), 4000U);
+  EXPECT_THAT(
+      klipper.err,
+      AllOf(HasSubstr("40000 lines of the program are refused"),
+            HasSubstr("(unknown command X1.1); it is not run"), HasSubstr("(unknown command Y0)"),
+            HasSubstr("; 19989 more up to line 40002"), HasSubstr("19991 more of this kind up to line")));
+  const json report = json::parse(contents(folder_ / "modal.json"));
+  EXPECT_EQ(std::ranges::count(report["diagnostics"], "refused", [](const json& one) { return one["code"]; }),
+            40000)
+      << "files list them all";
+}
+
 TEST_F(CompareCommand, ExplainHasNoNumbersOfARefusedProgramInJsonEither) {
   write("rapid.nc", "G21 G90\nG0 X10\nG1 X100\n");
   const json report = json::parse(run("explain rapid.nc --machine grbl-router --model grbl --json -").out);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace feedscope {
@@ -46,6 +48,32 @@ Message line_list(const std::vector<Diagnostic>& lines) {
   }
   const Message list = enumerated(ranges);
   return i < lines.size() ? message(NC_("core", "{} and {} more"), list, lines.size() - i) : list;
+}
+
+std::vector<Diagnostic> first_refusals(const std::vector<Diagnostic>& lines) {
+  constexpr std::size_t most_reasons = 10;
+  std::set<std::string> reasons;
+  std::vector<Diagnostic> shown;
+  Diagnostic rest;
+  std::uint64_t others = 0;
+  for (const Diagnostic& line : lines) {
+    std::string reason = line.message.english();
+    if (reasons.contains(reason) || reasons.size() < most_reasons) {
+      reasons.insert(std::move(reason));
+      shown.push_back(line);
+      continue;
+    }
+    if (++others == 1) {
+      rest = line;
+    }
+    rest.last_line = line.line;
+  }
+  if (others > 0) {
+    rest.count = others;
+    rest.message = message(NC_("core", "{} more of this kind up to line {}"), others, rest.last_line);
+    shown.push_back(std::move(rest));
+  }
+  return shown;
 }
 
 Message refused_note(const std::vector<Diagnostic>& lines) {

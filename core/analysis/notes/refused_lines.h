@@ -25,6 +25,10 @@ bool is_out_of_reach(const Run& run);
 /// Numbers of the first of these lines: "5, 9, 20 to 22 and 7 more".
 Message line_list(const std::vector<Diagnostic>& lines);
 
+/// The lines with one of the first ten reasons, and a closing note that counts the others: a control may
+/// refuse every line of a long program, each with its own words.
+std::vector<Diagnostic> first_refusals(const std::vector<Diagnostic>& lines);
+
 /// Number and list of the lines that the control refuses; empty if none.
 Message refused_note(const std::vector<Diagnostic>& lines);
 

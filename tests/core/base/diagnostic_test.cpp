@@ -75,6 +75,18 @@ TEST(WithoutRepeats, TakesTheCountOfTheRestToTheOnlyMessageOfItsKind) {
   EXPECT_EQ(printed({at(1, "a", "x"), other, rest}), "1 x|\n2 y|40 more up to line 90\n");
 }
 
+TEST(WithoutRepeats, ListsTenFurtherLinesAndCountsTheOthers) {
+  std::vector<Diagnostic> all;
+  for (std::uint32_t line = 1; line <= 40000; ++line) {
+    all.push_back(at(line, "a", "x"));
+  }
+  EXPECT_EQ(printed(all),
+            "1 x|also in lines 2, 3, 4, 5, 6, 7, 8, 9, 10 and 11; 39989 more up to line 40000\n");
+  all.push_back(closing(40001, "a", 11, 40011));
+  EXPECT_EQ(printed(all),
+            "1 x|also in lines 2, 3, 4, 5, 6, 7, 8, 9, 10 and 11; 40000 more up to line 40011\n");
+}
+
 TEST(WithoutRepeats, LosesNoPlace) {
   const std::vector<Diagnostic> all{at(1, "a", "x"), at(2, "a", "x"), at(2, "b", "z"),
                                     closing(3, "a", 40, 90)};
