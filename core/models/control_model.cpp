@@ -55,7 +55,10 @@ Trajectory ControlModel::simulate(std::shared_ptr<const Toolpath> toolpath, cons
     return do_simulate(path, machine, settings, progress);
   });
   const double window = settings.has(exact_stop_window_key) ? settings.number(exact_stop_window_key) : 0;
-  return window > 0 ? with_stop_waits(std::move(motion), machine, units::from_um(window), progress) : motion;
+  if (window > 0) {
+    return with_stop_waits(std::move(motion), machine, units::from_um(window), progress);
+  }
+  return motion;
 }
 
 Trajectory ControlModel::simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
