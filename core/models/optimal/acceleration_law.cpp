@@ -10,6 +10,11 @@ namespace {
 /// Cells of a window; doubled where braking takes longer.
 constexpr std::size_t window_cells = 4096;
 
+/// Cells before the end of a window that are planned again with the next, where that is possible.
+constexpr std::size_t margin_cells = 256;
+/// Largest x as a share of K that is clear of it.
+constexpr double clear_of_highest = 0.9;
+
 /// Limit of the times that the limits of a window are lowered because its motion exceeds them.
 constexpr int max_rounds = 10;
 /// Least share of its limits to which a cell is lowered.
@@ -87,16 +92,27 @@ void AccelerationLaw::reach_back(double end) {
   }
 }
 
-/// Number of cells, up to the end of an element, on which K does not depend on the path after the window.
+/// Number of cells, up to the end of an element, on which K does not depend on the path after the window. The
+/// motion ends clear of K there if it can: K falls where cells after it are lowered once their ends are
+/// known.
 std::size_t AccelerationLaw::settled_cells() const {
   double to_rest = 0;  // K if the motion ended with the window
-  for (std::size_t i = cells_.size() - 1; i > 0; --i) {
-    to_rest = highest_at(i, to_rest);
-    if (highest_[i] == to_rest && cells_[i].element != cells_[i - 1].element) {
-      return i;
-    }
+  std::size_t settled = cells_.size() - 1;
+  while (settled > 0 && highest_[settled] != (to_rest = highest_at(settled, to_rest))) {
+    --settled;
   }
-  return 0;
+  const auto last_end = [&](std::size_t count, bool clear) {
+    const auto may_end = [&] {
+      return cells_[count].element != cells_[count - 1].element &&
+             (!clear || runs_[count - 1].x <= clear_of_highest * highest_[count]);
+    };
+    while (count > 0 && !may_end()) {
+      --count;
+    }
+    return count;
+  };
+  const std::size_t clear = settled > margin_cells ? last_end(settled - margin_cells, true) : 0;
+  return clear > 0 ? clear : last_end(settled, false);
 }
 
 /// Runs the changed cells, and those affected by them, starting with `x` at the beginning of the window. Sets
@@ -110,7 +126,7 @@ void AccelerationLaw::run_on(double x) {
       runs_[i] = cells_.run(i, x, highest_[i + 1]);
       moved = runs_[i].x != before;
       changed_[i] = 0;
-      if (runs_[i].load > full_load && cells_[i].share > min_share) {
+      if (runs_[i].load > full_load && cells_[i].share > min_share && x <= highest_[i]) {
         lowered_.push_back(static_cast<std::uint32_t>(i));
       }
     }

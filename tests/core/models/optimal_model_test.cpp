@@ -240,6 +240,33 @@ TEST(OptimalModel, GivesTheSameInWindowsAsAtOnce) {
   EXPECT_NEAR(run.duration(), length / 200 + 200.0 / 1000, 0.01);
 }
 
+/// A corner at the border of two windows must not slow the windows before it.
+TEST(OptimalModel, IsNoSlowerOnAWholeZigzagThanOnItsPieces) {
+  constexpr std::size_t piece = 200;
+  Machine machine = spinner_as_published();
+  for (const std::size_t axis : {0U, 1U}) {
+    machine.axes[axis].acceleration = 400;
+  }
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> turn(-2.6, 2.6);
+    std::uniform_real_distribution<double> length(0.5, 3);
+    std::vector<Vec3> points{Vec3::Zero()};
+    double direction = 0;
+    for (std::size_t i = 0; i < 20 * piece; ++i) {
+      direction += turn(random);
+      points.push_back(points.back() + length(random) * Vec3(std::cos(direction), std::sin(direction), 0));
+    }
+    double pieces = 0;
+    for (std::size_t i = 0; i + piece < points.size(); i += piece) {
+      const std::vector<Vec3> some(points.begin() + static_cast<std::ptrdiff_t>(i),
+                                   points.begin() + static_cast<std::ptrdiff_t>(i + piece + 1));
+      pieces += optimal_run(testing::polyline(some, 60), "essid", machine).duration();
+    }
+    EXPECT_LT(optimal_run(testing::polyline(points, 60), "essid", machine).duration(), pieces) << seed;
+  }
+}
+
 TEST(OptimalModel, ListsTheSettingsOfThePathsItCanTake) {
   const ControlModel& optimal = find_model("optimal");
   Machine machine = testing::spinner();
