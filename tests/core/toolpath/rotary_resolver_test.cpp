@@ -377,6 +377,29 @@ TEST(SegmentTurns, NameTheSlowestPlaceNearTheSingularPosition) {
   EXPECT_TRUE(at_tip("TRAORI\nG0 X0 Y0 Z5 A40\nG1 X10 C90 F5000\n").faults.empty());
 }
 
+TEST(SegmentTurns, NameTheTenSlowestOfManySingularPlacesInTheOrderOfThePath) {
+  constexpr int places = 12;
+  std::string text = "TRAORI\nG0 X0 Y0 Z5 A5 F5000\n";
+  std::vector<std::uint32_t> slowest;
+  double c = 0;
+  for (int place = 0; place < places; ++place) {
+    const int rank = (5 * place) % places;             // by the turn in 10 mm, the smallest first
+    c += (place % 2 == 0 ? 1 : -1) * (40 + 5 * rank);  // C goes back and forth within a turn
+    text += fmt::format("G1 X10 C{}\nX0\n", c);        // near the axis of C, where X and Y limit nothing
+    if (rank >= 2) {
+      slowest.push_back(static_cast<std::uint32_t>(2 * place + 3));
+    }
+  }
+  std::vector<std::uint32_t> lines;
+  for (const Diagnostic& note : at_tip(text).faults) {
+    EXPECT_EQ(note.code, "rotary-feed");
+    EXPECT_THAT(note.hint.english(),
+                HasSubstr(fmt::format("lines {0} to {0}, one of {1} such places", note.line, places)));
+    lines.push_back(note.line);
+  }
+  EXPECT_EQ(lines, slowest);
+}
+
 /// Directions within 45 degrees of the spindle, none next to it.
 std::vector<Vec3> random_directions(unsigned seed, int count) {
   std::mt19937 random(seed);
