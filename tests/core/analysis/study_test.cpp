@@ -209,10 +209,14 @@ std::vector<std::string> titles(const std::vector<Operation>& operations) {
   return titles;
 }
 
+std::vector<Operation> operations_of(const LoadedProgram& program, OperationSplit split) {
+  return split_operations(*program.program, *program.toolpath, split);
+}
+
 TEST(Operations, OfToolsBeginWhereTheToolComesIn) {
   const LoadedProgram program =
       program_of("G0 X1\nT1 M6\nT2\nG1 X10 F500\nX20\nM6 (T7)\nG1 Y10\nT1\nY20\nM6\nG1 X0\n");
-  const auto operations = split_operations(program, OperationSplit::tool);
+  const auto operations = operations_of(program, OperationSplit::tool);
   EXPECT_THAT(titles(operations), ElementsAre("start", "tool 1", "tool 2", "tool 1"));
   EXPECT_EQ(operations[1].line, 2u) << "the time of the change is that of the tool that comes in";
   EXPECT_EQ(operations[2].line, 6u);
@@ -220,13 +224,13 @@ TEST(Operations, OfToolsBeginWhereTheToolComesIn) {
 }
 
 TEST(Operations, OfToolsWithoutM6BeginWhereTheyAreAskedFor) {
-  EXPECT_THAT(titles(split_operations(program_of("T1\nG1 X1 F100\nT2\nX2\n"), OperationSplit::tool)),
+  EXPECT_THAT(titles(operations_of(program_of("T1\nG1 X1 F100\nT2\nX2\n"), OperationSplit::tool)),
               ElementsAre("tool 1", "tool 2"));
   const auto heidenhain = load_program(std::make_shared<const SourceText>(
       "part.h",
       "0 BEGIN PGM A MM\n1 TOOL CALL 5 Z S1000\n2 L X+10 R0 F500\n3 TOOL CALL 6 Z S1000\n"
       "4 L X+20\n5 END PGM A MM\n"));
-  EXPECT_THAT(titles(split_operations(heidenhain, OperationSplit::tool)), ElementsAre("tool 5", "tool 6"));
+  EXPECT_THAT(titles(operations_of(heidenhain, OperationSplit::tool)), ElementsAre("tool 5", "tool 6"));
 }
 
 TEST(Operations, OfCommentsHaveTheirLastHeading) {
@@ -234,11 +238,11 @@ TEST(Operations, OfCommentsHaveTheirLastHeading) {
       "(part 7)\n(by post 3)\nG21\nN10 (----)\nN20 (rough pocket)\nN30 (TOOL 1)\nN40 G1 X10 F500 (no "
       "heading)\n"
       "X20\n(finish)\nY10\nY20\n");
-  const auto operations = split_operations(program, OperationSplit::comment);
+  const auto operations = operations_of(program, OperationSplit::comment);
   EXPECT_THAT(titles(operations), ElementsAre("rough pocket", "finish"));
   EXPECT_EQ(operations[0].line, 5u);
   EXPECT_EQ(operations[1].first, operations[0].last);
-  EXPECT_THAT(titles(split_operations(program_of("G1 X1 F100\n"), OperationSplit::comment)),
+  EXPECT_THAT(titles(operations_of(program_of("G1 X1 F100\n"), OperationSplit::comment)),
               ElementsAre("start"));
 }
 
@@ -247,14 +251,14 @@ TEST(Operations, AreNotCalledAfterWhatEndsBeforeThem) {
   const LoadedProgram program = program_of(
       "(-- slot 1 --)\nG1 X10 F500\n(-- slot 1 END --)\n(-- slot 2 --)\nX20\n(10 mm ball end)\nY10\n"
       "(-- slot 2 end --)\nY20\n");
-  EXPECT_THAT(titles(split_operations(program, OperationSplit::comment)),
+  EXPECT_THAT(titles(operations_of(program, OperationSplit::comment)),
               ElementsAre("slot 1", "slot 2", "10 mm ball end", "line 8"));
 }
 
 TEST(Operations, BeginAgainWhereALoopComesBackToTheirHeading) {
   const LoadedProgram program =
       program_of("#1=0\nWHILE [#1 LT 2] DO1\n(LEFT)\nG1 X10 F3000\n(RIGHT)\nX0\nY1\n#1=[#1+1]\nEND1\nM30\n");
-  const auto operations = split_operations(program, OperationSplit::comment);
+  const auto operations = operations_of(program, OperationSplit::comment);
   EXPECT_THAT(titles(operations), ElementsAre("LEFT", "RIGHT", "LEFT", "RIGHT"));
   EXPECT_EQ(operations[2].line, operations[0].line);
 }
