@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/commands/command.h"
+#include "app/desktop.h"
 #include "app/exit_codes.h"
 #include "app/window_start.h"
 #include "core/base/error.h"
@@ -26,14 +27,6 @@ namespace {
 
 constexpr const char* picture_instead =
     "for a picture of it use: feedscope render FILE --view window --out FILE.png";
-
-void check_display() {
-  const auto set = [](const char* name) { return !qEnvironmentVariableIsEmpty(name); };
-  if (!set("DISPLAY") && !set("WAYLAND_DISPLAY") && !set("QT_QPA_PLATFORM")) {
-    throw InputError(fmt::format(
-        "the window needs a display, and neither DISPLAY nor WAYLAND_DISPLAY is set; {}", picture_instead));
-  }
-}
 
 /// Qt ends fatal messages with abort(); in practice the cause is an unreachable display.
 void leave_on_fatal(QtMsgType type, const QMessageLogContext&, const QString& message) {
@@ -91,7 +84,8 @@ int show_window(ui::Workbench& model, const WindowStart& start,
 int show_window(const RunOptions& options, const std::string& lesson, const std::vector<std::string>& traces,
                 bool unlocked) {
   const WindowStart start(options, lesson, traces, unlocked);
-  check_display();
+  check_display(picture_instead);
+  close_own_console();
   qInstallMessageHandler(leave_on_fatal);
   int count = 1;
   char name[] = "feedscope";

@@ -171,8 +171,7 @@ build_vtk9() {
   for module in doubleconversion eigen expat freetype glew jpeg lz4 lzma png pugixml tiff utf8 zlib; do
     own+=("-DVTK_MODULE_USE_EXTERNAL_VTK_$module=ON")
   done
-  for module in CommonCore CommonDataModel CommonColor FiltersCore FiltersSources InteractionStyle InteractionWidgets IOImage RenderingAnnotation \
-    RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI; do
+  for module in CommonCore CommonDataModel CommonMath FiltersCore IOImage RenderingCore RenderingFreeType RenderingOpenGL2; do
     enabled+=("-DVTK_MODULE_ENABLE_VTK_$module=YES")
   done
   for module in Imaging MPI Qt Rendering StandAlone Views; do

@@ -15,8 +15,7 @@ namespace feedscope::ui {
 namespace {
 
 constexpr double zoom_a_key = 0.5;
-constexpr int long_step = 10;          // [px]
-constexpr double picture_scale = 2.0;  // file pixels of a PNG per screen pixel
+constexpr int long_step = 10;  // [px]
 
 }  // namespace
 
@@ -214,12 +213,8 @@ void ChartCommands::ask_for_picture() {
 
 void ChartCommands::save_picture(const QString& file) {
   panel_.refresh();
-  const auto drawing = [this](QPainter& painter) { panel_.draw(painter); };
-  if (file.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive)) {
-    save_svg(file, panel_.size(), tr("Feed, acceleration and jerk"), drawing);
-  } else {
-    save_png(file, panel_.size(), picture_scale, drawing);
-  }
+  feedscope::ui::save_picture(file, panel_.size(), tr("Feed, acceleration and jerk"),
+                              [this](QPainter& painter) { panel_.draw(painter); });
 }
 
 void ChartCommands::save_csv(const QString& file, CsvRows rows, double step) {

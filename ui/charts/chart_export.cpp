@@ -1,12 +1,8 @@
 #include "ui/charts/chart_export.h"
 
-#include <QBuffer>
 #include <QCoreApplication>
 #include <QDir>
-#include <QImage>
-#include <QPainter>
 #include <QSaveFile>
-#include <QSvgGenerator>
 #include <cmath>
 #include <optional>
 #include <ostream>
@@ -14,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/export/export.h"
+#include "ui/paper/picture_file.h"
 
 namespace feedscope::ui {
 
@@ -126,31 +123,14 @@ void write_whole_file(const QString& file, const QByteArray& bytes) {
   target.commit();
 }
 
-void save_png(const QString& file, QSize size, double scale, const DrawPicture& draw) {
-  QImage image((QSizeF(size) * scale).toSize(), QImage::Format_RGB32);
-  image.setDevicePixelRatio(scale);
-  image.fill(Qt::white);
-  QPainter painter(&image);
-  draw(painter);
-  painter.end();
-  QBuffer buffer;
-  buffer.open(QIODevice::WriteOnly);
-  image.save(&buffer, "PNG");
-  write_whole_file(file, buffer.data());
-}
-
-void save_svg(const QString& file, QSize size, const QString& title, const DrawPicture& draw) {
-  QBuffer buffer;
-  buffer.open(QIODevice::WriteOnly);
-  QSvgGenerator generator;
-  generator.setOutputDevice(&buffer);
-  generator.setSize(size);
-  generator.setViewBox(QRect(QPoint(0, 0), size));
-  generator.setTitle(title);
-  QPainter painter(&generator);
-  draw(painter);
-  painter.end();
-  write_whole_file(file, buffer.data());
+void save_picture(const QString& file, QSize size, const QString& title,
+                  const std::function<void(QPainter&)>& draw) {
+  PictureSpec spec;
+  spec.format = picture_format_of(file.toStdString());
+  spec.size = size;
+  spec.scale = 2;
+  spec.title = title;
+  write_whole_file(file, QByteArray::fromStdString(make_picture(spec, draw)));
 }
 
 }  // namespace feedscope::ui

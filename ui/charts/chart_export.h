@@ -29,9 +29,8 @@ std::vector<double> block_times(const Trajectory& trajectory, const Interval& ra
 /// Writes `bytes` to `file`.
 void write_whole_file(const QString& file, const QByteArray& bytes);
 
-using DrawPicture = std::function<void(QPainter&)>;
-/// `size` in logical pixels, `scale` pixels of the file per logical pixel.
-void save_png(const QString& file, QSize size, double scale, const DrawPicture& draw);
-void save_svg(const QString& file, QSize size, const QString& title, const DrawPicture& draw);
+/// PNG with two pixels per logical pixel of `size`, SVG or PDF, by the ending of the file's name.
+void save_picture(const QString& file, QSize size, const QString& title,
+                  const std::function<void(QPainter&)>& draw);
 
 }  // namespace feedscope::ui

@@ -28,7 +28,7 @@ double notches_of(const QWheelEvent& event) {
 
 ChartInput::ChartInput(KinematicChart& chart, ViewRange& range)
     : QObject(&chart), chart_(chart), range_(range) {
-  chart.viewport()->installEventFilter(this);
+  chart.installEventFilter(this);
 }
 
 bool ChartInput::eventFilter(QObject* watched, QEvent* event) {
@@ -96,7 +96,7 @@ void ChartInput::move(const QMouseEvent& event) {
   } else if (drag_ == Drag::second_cursor) {
     emit chart_.second_position_clicked(chart_.position_at(event.position().x()));
   } else if (drag_ == Drag::box) {
-    chart_.viewport()->update();
+    chart_.update();
   }
   dragged_to_ = event.position();
 }
@@ -106,7 +106,7 @@ void ChartInput::release(const QMouseEvent& event) {
   if (drag == Drag::box) {
     dragged_to_ = event.position();
     zoom_to(drawn_box());
-    chart_.viewport()->update();
+    chart_.update();
   } else if (drag == Drag::undecided && event.button() == Qt::RightButton) {
     emit chart_.menu_requested(event.globalPosition().toPoint());
   } else if (drag == Drag::undecided && event.modifiers().testFlag(Qt::ShiftModifier)) {
@@ -118,7 +118,7 @@ void ChartInput::release(const QMouseEvent& event) {
 
 void ChartInput::double_click(const QMouseEvent& event) {
   drag_ = Drag::none;  // the following release is not a click
-  if (event.position().x() < chart_.chart()->plotArea().left()) {
+  if (event.position().x() < chart_.plot().left()) {
     chart_.choose_values({});
   } else {
     emit chart_.fit_requested();
@@ -130,7 +130,7 @@ std::optional<QRectF> ChartInput::box() const {
 }
 
 QRectF ChartInput::drawn_box() const {
-  const QRectF plot = chart_.chart()->plotArea();
+  const QRectF plot = chart_.plot();
   const auto inside = [&](const QPointF& point) {
     return QPointF(std::clamp(point.x(), plot.left(), plot.right()),
                    std::clamp(point.y(), plot.top(), plot.bottom()));
@@ -148,7 +148,7 @@ QRectF ChartInput::drawn_box() const {
 }
 
 void ChartInput::zoom_to(const QRectF& box) {
-  const QRectF plot = chart_.chart()->plotArea();
+  const QRectF plot = chart_.plot();
   if (box.height() < plot.height()) {
     chart_.choose_values(Interval{chart_.value_at(box.bottom()), chart_.value_at(box.top())});
   }

@@ -17,7 +17,7 @@ class ViewRange;
 /// shown values, and makes the chart request cursors, the menu and the whole run.
 class ChartInput : public QObject {
  public:
-  /// For the chart's viewport; both outlive it.
+  /// Both outlive this.
   ChartInput(KinematicChart& chart, ViewRange& range);
 
   /// The part of the plot that the drawn box will show [px]; none without a box.

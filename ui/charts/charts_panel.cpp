@@ -129,7 +129,7 @@ void ChartsPanel::place_overlays() {
   more_->setGeometry(first.geometry().right() - button.width() - 2, first.geometry().top() + 2,
                      button.width(), QFontMetrics(font()).height() + 4);
   for (std::size_t i = 0; i < rows_.charts.size(); ++i) {
-    QRect room = rows_.charts[i]->chart()->plotArea().toAlignedRect().adjusted(2, 0, -2, 0);
+    QRect room = rows_.charts[i]->plot().toAlignedRect().adjusted(2, 0, -2, 0);
     room.setRight(room.right() - (i == 0 ? button.width() : 0));
     rows_.headers[i]->fit_in(room);
   }
@@ -139,7 +139,7 @@ void ChartsPanel::place_overlays() {
 /// Places the values next to the cursor in the first plot.
 void ChartsPanel::place_readout() {
   const KinematicChart& first = *rows_.charts.front();
-  const QRect plot = first.chart()->plotArea().toAlignedRect().translated(first.geometry().topLeft());
+  const QRect plot = first.plot().toAlignedRect().translated(first.geometry().topLeft());
   const QSize size = readout_->sizeHint();
   constexpr int beside = 8;  // [px]
   const int cursor = first.cursor()
@@ -438,8 +438,7 @@ void ChartsPanel::go_forward() {
 
 void ChartsPanel::move_cursor(int pixels) {
   if (points_into_run()) {
-    const double pixel =
-        (range_.upper() - range_.lower()) / rows_.charts.front()->chart()->plotArea().width();
+    const double pixel = (range_.upper() - range_.lower()) / rows_.charts.front()->plot().width();
     cursor_.set_time(range_.time_at(range_.position_of(cursor_.state()) + pixels * pixel));
   }
 }

@@ -32,7 +32,7 @@ void FeedShares::set_feeds(std::vector<float> feeds) {
 }
 
 std::size_t FeedShares::bar_count() const {
-  const double height = chart_.height_of(0) - chart_.chart()->plotArea().top();
+  const double height = chart_.height_of(0) - chart_.plot().top();
   return static_cast<std::size_t>(std::max(1.0, std::floor(height / bar_height)));
 }
 
@@ -90,8 +90,7 @@ void FeedShares::draw(QPainter& painter) const {
                      colours.path);
   }
   painter.setPen(colours.frame);
-  painter.drawLine(QPointF(0.5, chart_.chart()->plotArea().top()),
-                   QPointF(0.5, chart_.chart()->plotArea().bottom()));
+  painter.drawLine(QPointF(0.5, chart_.plot().top()), QPointF(0.5, chart_.plot().bottom()));
   QFont small = font();
   small.setPixelSize(type_pixels(10));
   painter.setFont(small);

@@ -1,10 +1,8 @@
 #include "ui/charts/kinematic_chart.h"
 
 #include <QContextMenuEvent>
-#include <QGraphicsLayout>
 #include <QLocale>
 #include <QPainter>
-#include <QValueAxis>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -35,12 +33,10 @@ constexpr double band_edge = 1.3;
 constexpr double finest_zoom = 1e-6;  // of the largest value; finer, all tick labels are equal
 constexpr double widest_values = 1e12;
 
-QValueAxis* make_axis(QChart* chart, Qt::Alignment side) {
-  auto* axis = new QValueAxis(chart);
-  axis->setTickType(QValueAxis::TicksDynamic);
-  axis->setLabelsVisible(false);  // Qt Charts would shorten long numbers and write a hyphen for a minus
-  chart->addAxis(axis, side);
-  return axis;
+QFont label_font() {
+  QFont font;
+  font.setPixelSize(type_pixels(label_size));
+  return font;
 }
 
 QColor mixed(const QColor& a, const QColor& b, double share_of_b) {
@@ -58,8 +54,8 @@ float magnitude(const std::vector<Extent>& columns) {
   return largest;
 }
 
-std::vector<ColumnSpan> spans_of(const KinematicChart& chart, const QRectF& plot,
-                                 const std::vector<Extent>& extents) {
+std::vector<ColumnSpan> spans_of(const KinematicChart& chart, const std::vector<Extent>& extents) {
+  const QRectF& plot = chart.plot();
   const double beyond = plot.height();  // far values would overflow the rasterizer
   const auto to_pixel = [&](float value) {
     const double height = chart.height_of(chart.spec().convert(double{value}));
@@ -77,7 +73,7 @@ std::vector<ColumnSpan> spans_of(const KinematicChart& chart, const QRectF& plot
 }  // namespace
 
 KinematicChart::KinematicChart(ChartSpec spec, ViewRange& range, QWidget* parent)
-    : QChartView(parent),
+    : QWidget(parent),
       spec_(std::move(spec)),
       range_(range),
       columns_(spec_.curves.size()),
@@ -86,16 +82,6 @@ KinematicChart::KinematicChart(ChartSpec spec, ViewRange& range, QWidget* parent
       input_(new ChartInput(*this, range)) {
   std::transform(spec_.curves.begin(), spec_.curves.end(), shown_.begin(),
                  [](const CurveSpec& curve) { return !curve.on_demand; });
-  chart()->legend()->hide();
-  chart()->setBackgroundRoundness(0);
-  chart()->setMargins({});
-  chart()->setAnimationOptions(QChart::NoAnimation);
-  chart()->layout()->setContentsMargins(0, 0, 0, 0);
-  abscissa_ = make_axis(chart(), Qt::AlignBottom);
-  ordinate_ = make_axis(chart(), Qt::AlignLeft);
-  apply_colours();
-  setRenderHint(QPainter::Antialiasing);
-  setFrameShape(QFrame::NoFrame);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setFocusPolicy(Qt::StrongFocus);
   setToolTip(
@@ -103,26 +89,16 @@ KinematicChart::KinematicChart(ChartSpec spec, ViewRange& range, QWidget* parent
          "Right drag or Ctrl+drag: zoom to a box. Ctrl+wheel: zoom the values. Double click: show all."));
   follow_type_size();
   connect(&TypeSize::of_application(), &TypeSize::changed, this, &KinematicChart::follow_type_size);
-  connect(scene(), &QGraphicsScene::changed, this, [this] {
-    picture_ = {};
-    viewport()->update();
-  });
 }
 
-void KinematicChart::apply_colours() {
-  const ThemeColours& colours = theme_colours(palette());
-  chart()->setBackgroundBrush(colours.plot);
-  for (QValueAxis* axis : {abscissa_, ordinate_}) {
-    axis->setLabelsColor(colours.text);
-    axis->setGridLineColor(colours.grid);
-    axis->setLinePenColor(colours.frame);
-  }
+void KinematicChart::redraw() {
   picture_ = {};
+  update();
 }
 
 int KinematicChart::column_count() const {
-  const int width = std::max(1, viewport()->width() - plot_left_margin() - plot_right_margin);
-  return static_cast<int>(std::lround(width * devicePixelRatioF() * resolution_));
+  const int across = std::max(1, width() - plot_left_margin() - plot_right_margin);
+  return static_cast<int>(std::lround(across * devicePixelRatioF() * resolution_));
 }
 
 void KinematicChart::set_limits(std::vector<LimitLine> limits) {
@@ -135,15 +111,9 @@ void KinematicChart::label_abscissa(const QString& title) {
 }
 
 void KinematicChart::follow_type_size() {
-  QFont font = chart()->font();
-  font.setPixelSize(type_pixels(label_size));
-  for (QValueAxis* axis : {abscissa_, ordinate_}) {
-    axis->setLabelsFont(font);
-  }
   setMinimumHeight(type_pixels(abscissa_title_.isEmpty() ? least_height : least_labelled_height));
   lay_out();
-  picture_ = {};
-  viewport()->update();
+  redraw();
 }
 
 void KinematicChart::show_curve(std::size_t curve, bool shown) {
@@ -257,64 +227,59 @@ void KinematicChart::fit() {
       }
     }
   }
-  const QRectF plot = chart()->plotArea();
-  show_range(ordinate_, values_, std::max(2, static_cast<int>(plot.height() / type_pixels(tick_distance))),
-             values_.width() * type_pixels(tick_distance + 1) / std::max(1.0, plot.height()));
-  show_range(abscissa_, {range_.lower(), range_.upper()},
-             std::max(2, static_cast<int>(plot.width() / type_pixels(80))));
-  picture_ = {};
-  viewport()->update();
+  ordinate_step_ =
+      tick_step(values_, std::max(2, static_cast<int>(plot_.height() / type_pixels(tick_distance))),
+                values_.width() * type_pixels(tick_distance + 1) / std::max(1.0, plot_.height()));
+  abscissa_step_ = tick_step({range_.lower(), range_.upper()},
+                             std::max(2, static_cast<int>(plot_.width() / type_pixels(80))));
+  redraw();
 }
 
 void KinematicChart::set_cursors(std::optional<double> first, std::optional<double> second) {
   cursor_ = first;
   second_cursor_ = second;
-  viewport()->update();
+  update();
 }
 
 double KinematicChart::pixel_of(double position) const {
-  const QRectF plot = chart()->plotArea();
-  return plot.left() + (position - range_.lower()) / (range_.upper() - range_.lower()) * plot.width();
+  return plot_.left() + (position - range_.lower()) / (range_.upper() - range_.lower()) * plot_.width();
 }
 
 double KinematicChart::position_at(double pixel) const {
-  const QRectF plot = chart()->plotArea();
-  return range_.lower() + (pixel - plot.left()) / plot.width() * (range_.upper() - range_.lower());
+  return range_.lower() + (pixel - plot_.left()) / plot_.width() * (range_.upper() - range_.lower());
 }
 
 double KinematicChart::height_of(double value) const {
-  const QRectF plot = chart()->plotArea();
-  return plot.bottom() - (value - values_.lower) / values_.width() * plot.height();
+  return plot_.bottom() - (value - values_.lower) / values_.width() * plot_.height();
 }
 
 double KinematicChart::value_at(double height) const {
-  const QRectF plot = chart()->plotArea();
-  return values_.lower + (plot.bottom() - height) / plot.height() * values_.width();
+  return values_.lower + (plot_.bottom() - height) / plot_.height() * values_.width();
 }
 
 bool KinematicChart::event(QEvent* event) {
   if (event->type() == QEvent::PaletteChange) {
-    apply_colours();
+    redraw();
   }
-  return QChartView::event(event);
+  return QWidget::event(event);
 }
 
 void KinematicChart::contextMenuEvent(QContextMenuEvent* event) {
   if (event->reason() == QContextMenuEvent::Mouse) {
     event->accept();  // the release of the button decides between box and menu
   } else {
-    emit menu_requested(mapToGlobal(chart()->plotArea().center().toPoint()));
+    emit menu_requested(mapToGlobal(plot_.center().toPoint()));
   }
 }
 
 void KinematicChart::paintEvent(QPaintEvent*) {
   if (picture_.isNull()) {
-    picture_ = QPixmap(viewport()->size() * devicePixelRatioF());
+    picture_ = QPixmap(size() * devicePixelRatioF());
     picture_.setDevicePixelRatio(devicePixelRatioF());
     QPainter painter(&picture_);
     draw_picture(painter);
   }
-  QPainter painter(viewport());
+  QPainter painter(this);
   painter.drawPixmap(0, 0, picture_);
   draw_cursors(painter);
   if (const std::optional<QRectF> box = input_->box()) {
@@ -326,23 +291,23 @@ void KinematicChart::paintEvent(QPaintEvent*) {
   }
 }
 
-void KinematicChart::draw(QPainter& painter) {
+void KinematicChart::draw(QPainter& painter) const {
   draw_picture(painter);
   draw_cursors(painter);
 }
 
-void KinematicChart::draw_picture(QPainter& painter) {
-  const QRect whole = viewport()->rect();
-  painter.fillRect(whole, theme_colours(palette()).plot);
-  painter.setRenderHint(QPainter::Antialiasing);
-  render(&painter, QRectF(whole), whole);
-  painter.save();
-  painter.setClipRect(chart()->plotArea());
-  draw_curves(painter);
+void KinematicChart::draw_picture(QPainter& painter) const {
   const ThemeColours& colours = theme_colours(palette());
+  painter.fillRect(rect(), colours.plot);
+  painter.setRenderHint(QPainter::Antialiasing);
+  ground_.draw(painter, rect(), plot_, {{range_.lower(), range_.upper()}, abscissa_step_},
+               {values_, ordinate_step_}, colours);
+  painter.save();
+  painter.setClipRect(plot_);
+  draw_curves(painter);
   draw_mean_lines(painter, mean_lines(), curve_colour(CurveRole::path, colours), colours.plot,
                   line_pixels(1, *this));
-  draw_limit_lines(painter, chart()->plotArea(), shown_limits_, colours, line_pixels(1, *this),
+  draw_limit_lines(painter, plot_, shown_limits_, colours, line_pixels(1, *this),
                    [this](double value) { return height_of(value); });
   painter.restore();
   draw_ordinate(painter);
@@ -352,36 +317,36 @@ void KinematicChart::draw_picture(QPainter& painter) {
 }
 
 void KinematicChart::draw_ordinate(QPainter& painter) const {
-  const QFontMetricsF metrics(ordinate_->labelsFont());
-  const double right = chart()->plotArea().left() - type_pixels(tick_gap);
-  painter.setFont(ordinate_->labelsFont());
+  const QFontMetricsF metrics(label_font());
+  const double right = plot_.left() - type_pixels(tick_gap);
+  const double largest = std::max(std::abs(values_.lower), std::abs(values_.upper));
+  painter.setFont(label_font());
   painter.setPen(theme_colours(palette()).text);
-  for (const double tick : multiples(ordinate_->tickInterval(), values_.lower, values_.upper)) {
+  for (const double tick : multiples(ordinate_step_, values_.lower, values_.upper)) {
     const QRectF place(0, height_of(tick) - metrics.height() / 2, right, metrics.height());
     painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip,
-                     tick_text(*ordinate_, tick));
+                     tick_text(tick, ordinate_step_, largest));
   }
 }
 
 /// Draws the tick labels, the last one moved to the left where it would be cut off, and the title in their
 /// row: left of them, or in place of those at the right end.
 void KinematicChart::draw_abscissa(QPainter& painter) const {
-  const QFontMetricsF metrics(abscissa_->labelsFont());
-  const QRectF plot = chart()->plotArea();
-  QRectF row(0, viewport()->height() - metrics.height() - 2, viewport()->width(), metrics.height());
-  painter.setFont(abscissa_->labelsFont());
+  const QFontMetricsF metrics(label_font());
+  QRectF row(0, height() - metrics.height() - 2, width(), metrics.height());
+  painter.setFont(label_font());
   painter.setPen(theme_colours(palette()).text);
   const double wide = metrics.horizontalAdvance(abscissa_title_) + 4;
   constexpr double half_label = 8;  // [px], of the 0 at the left end
-  const bool left = wide <= plot.left() - half_label;
-  const double title = left ? plot.left() - half_label - wide : row.right() - wide;
+  const bool left = wide <= plot_.left() - half_label;
+  const double title = left ? plot_.left() - half_label - wide : row.right() - wide;
   painter.drawText(QRectF(title, row.top(), wide, row.height()), Qt::AlignCenter, abscissa_title_);
   (left ? row.setLeft(title + wide) : row.setRight(title));
-  for (const double tick : multiples(abscissa_->tickInterval(), range_.lower(), range_.upper())) {
-    const QString number = tick_text(*abscissa_, tick);
+  for (const double tick : multiples(abscissa_step_, range_.lower(), range_.upper())) {
+    const QString number = tick_text(tick, abscissa_step_);
     const double half = metrics.horizontalAdvance(number) / 2;
     QRectF place(pixel_of(tick) - half, row.top(), 2 * half, row.height());
-    place.moveRight(std::min(place.right(), viewport()->width() - 1.0));
+    place.moveRight(std::min(place.right(), width() - 1.0));
     if (place.left() >= row.left() && place.right() <= row.right()) {
       painter.drawText(place, Qt::AlignCenter | Qt::TextDontClip, number);
       row.setLeft(place.right() + half_label);
@@ -401,19 +366,18 @@ void KinematicChart::draw_curves(QPainter& painter) const {
   std::ranges::stable_sort(order, std::greater(), [&](std::size_t k) { return size[k]; });
   std::erase_if(order, [&](std::size_t k) { return !shown_[k]; });
   const ThemeColours& colours = theme_colours(palette());
-  const QRectF plot = chart()->plotArea();
   if (shows_usual()) {
     // One curve with extremes and band, the others as edges of their bands: overlapping bands would hide all
     // curves.
     const std::size_t filled = std::ranges::min(order);
     constexpr double pale = 0.22;
-    draw_columns(painter, plot, spans_of(*this, plot, columns_[filled]),
+    draw_columns(painter, plot_, spans_of(*this, columns_[filled]),
                  {mixed(colours.plot, curve_colour(spec_.curves[filled].role, colours), pale), 1});
     // The last stretch may extend beyond the end of the run.
     const auto last = std::find_if_not(columns_.front().rbegin(), columns_.front().rend(),
                                        [](const Extent& column) { return column.empty(); });
-    QRectF run = plot;
-    run.setWidth(plot.width() * static_cast<double>(columns_.front().rend() - last) /
+    QRectF run = plot_;
+    run.setWidth(plot_.width() * static_cast<double>(columns_.front().rend() - last) /
                  static_cast<double>(columns_.front().size()));
     painter.save();
     painter.setClipRect(run, Qt::IntersectClip);
@@ -421,7 +385,7 @@ void KinematicChart::draw_curves(QPainter& painter) const {
       if (!means_.empty() && k > 0) {
         continue;  // the other bands would hide the mean of one curve
       }
-      draw_usual_band(painter, plot, spans_of(*this, plot, usual_[k]), columns_a_stretch_, columns_[k].size(),
+      draw_usual_band(painter, plot_, spans_of(*this, usual_[k]), columns_a_stretch_, columns_[k].size(),
                       curve_colour(spec_.curves[k].role, colours), line_pixels(band_edge, *this),
                       k == filled ? BandFill::pale : BandFill::none);
     }
@@ -431,7 +395,7 @@ void KinematicChart::draw_curves(QPainter& painter) const {
   for (const std::size_t k : order) {
     constexpr double pale = 0.3;
     const QColor colour = curve_colour(spec_.curves[k].role, colours);
-    fill_hollows(painter, plot, spans_of(*this, plot, columns_[k]),
+    fill_hollows(painter, plot_, spans_of(*this, columns_[k]),
                  {mixed(colours.plot, colour, pale), line_pixels(spec_.curves[k].width, *this)});
   }
   for (const std::size_t k : order) {
@@ -443,8 +407,7 @@ void KinematicChart::draw_curves(QPainter& painter) const {
 
 void KinematicChart::draw_extents(QPainter& painter, const std::vector<Extent>& extents, const QColor& color,
                                   double width, bool dashed) const {
-  const QRectF plot = chart()->plotArea();
-  draw_columns(painter, plot, spans_of(*this, plot, extents), {color, width, dashed, true});
+  draw_columns(painter, plot_, spans_of(*this, extents), {color, width, dashed, true});
 }
 
 void KinematicChart::set_usual(const std::vector<MotionBand>& ranges, std::size_t columns) {
@@ -456,17 +419,15 @@ void KinematicChart::set_usual(const std::vector<MotionBand>& ranges, std::size_
       usual_[k][i] = ranges[i][id];
     }
   }
-  picture_ = {};
-  viewport()->update();
+  redraw();
 }
 
 bool KinematicChart::shows_usual() const {
   if (usual_.empty() || usual_.front().empty()) {
     return false;
   }
-  const QRectF plot = chart()->plotArea();
   for (std::size_t k = 0; k < columns_.size(); ++k) {
-    if (shown_[k] && says_more(spans_of(*this, plot, usual_[k]), spans_of(*this, plot, columns_[k]))) {
+    if (shown_[k] && says_more(spans_of(*this, usual_[k]), spans_of(*this, columns_[k]))) {
       return true;
     }
   }
@@ -481,10 +442,9 @@ std::vector<QPolygonF> KinematicChart::mean_lines() const {
   if (means_.empty() || columns_.empty() || !shown_.front()) {
     return {};
   }
-  const QRectF plot = chart()->plotArea();
-  const std::vector<ColumnSpan> columns = spans_of(*this, plot, columns_.front());
+  const std::vector<ColumnSpan> columns = spans_of(*this, columns_.front());
   return ui::mean_lines(
-      plot, columns, means_, [this](double value) { return height_of(spec_.convert(value)); },
+      plot_, columns, means_, [this](double value) { return height_of(spec_.convert(value)); },
       shows_usual() && hidden_in_bars(columns));
 }
 
@@ -534,24 +494,23 @@ std::vector<LimitLine> KinematicChart::limits_in_sight() const {
 }
 
 void KinematicChart::draw_cursors(QPainter& painter) const {
-  const QRectF plot = chart()->plotArea();
   const ThemeColours& colours = theme_colours(palette());
   if (cursor_.has_value() && second_cursor_.has_value()) {
-    const double from = std::max(plot.left(), pixel_of(std::min(*cursor_, *second_cursor_)));
-    const double to = std::min(plot.right(), pixel_of(std::max(*cursor_, *second_cursor_)));
+    const double from = std::max(plot_.left(), pixel_of(std::min(*cursor_, *second_cursor_)));
+    const double to = std::min(plot_.right(), pixel_of(std::max(*cursor_, *second_cursor_)));
     QColor between = colours.second_cursor;
     between.setAlpha(32);
     if (to > from) {
-      painter.fillRect(QRectF(from, plot.top(), to - from, plot.height()), between);
+      painter.fillRect(QRectF(from, plot_.top(), to - from, plot_.height()), between);
     }
   }
   const auto line = [&](const std::optional<double>& position, const QColor& color, const char* name) {
     if (position.has_value() && *position >= range_.lower() && *position <= range_.upper()) {
       painter.setPen(QPen(color, line_pixels(1, *this)));
       const double x = std::round(pixel_of(*position));
-      painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+      painter.drawLine(QPointF(x, plot_.top()), QPointF(x, plot_.bottom()));
       if (second_cursor_.has_value()) {
-        painter.drawText(QRectF(x + 3, plot.top(), type_pixels(12), type_pixels(12)),
+        painter.drawText(QRectF(x + 3, plot_.top(), type_pixels(12), type_pixels(12)),
                          Qt::AlignLeft | Qt::AlignVCenter, name);
       }
     }
@@ -564,18 +523,17 @@ void KinematicChart::draw_cursors(QPainter& painter) const {
 }
 
 void KinematicChart::resizeEvent(QResizeEvent* event) {
-  QChartView::resizeEvent(event);
+  QWidget::resizeEvent(event);
   lay_out();
 }
 
 void KinematicChart::lay_out() {
   // Room for half a line above and below, so that tick labels at the ends fit in any font.
-  const int line = QFontMetrics(ordinate_->labelsFont()).height();
+  const int line = QFontMetrics(label_font()).height();
   const int top = std::max(type_pixels(top_margin), (line + 1) / 2);
   const int bottom = std::max(
       (line + 1) / 2, abscissa_title_.isEmpty() ? bottom_margin : type_pixels(labelled_bottom_margin));
-  chart()->setPlotArea(
-      QRectF(viewport()->rect()).adjusted(plot_left_margin(), top, -plot_right_margin, -bottom));
+  plot_ = QRectF(rect()).adjusted(plot_left_margin(), top, -plot_right_margin, -bottom);
   picture_ = {};
   emit plot_resized();
 }

@@ -1,21 +1,20 @@
 #pragma once
 
-#include <QChartView>
 #include <QPixmap>
 #include <QPolygonF>
 #include <QString>
 #include <QStringList>
+#include <QWidget>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "ui/charts/chart_ground.h"
 #include "ui/charts/chart_spec.h"
 #include "ui/charts/limit_line.h"
 #include "ui/charts/value_fit.h"
 #include "ui/shared/view_range.h"
-
-class QValueAxis;
 
 namespace feedscope::ui {
 
@@ -33,7 +32,7 @@ class ChartInput;
 /// The wheel zooms at the pointer (Ctrl: the values). Shift and wheel, or dragging, pans. Ctrl and dragging,
 /// or dragging with the right button, zooms to the box. A double click shows all; a click requests the
 /// cursor, a Shift click the second one. All charts share the shown range.
-class KinematicChart : public QChartView {
+class KinematicChart : public QWidget {
   Q_OBJECT
 
  public:
@@ -84,14 +83,16 @@ class KinematicChart : public QChartView {
   QStringList notes() const;
   std::vector<LimitLine> limits_in_sight() const;
 
-  /// Position in the viewport [px].
+  /// Where the curves are [px].
+  const QRectF& plot() const { return plot_; }
+  /// Position in the widget [px].
   double pixel_of(double position) const;
   double position_at(double pixel) const;
   double height_of(double value) const;
   double value_at(double height) const;
 
   /// Draws everything except the box of the mouse.
-  void draw(QPainter& painter);
+  void draw(QPainter& painter) const;
 
  signals:
   void position_clicked(double position);
@@ -110,8 +111,8 @@ class KinematicChart : public QChartView {
   void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
-  void apply_colours();
   void lay_out();
+  void redraw();
   void follow_type_size();
   void fit();
   /// Values that rapids must not dwarf; none without cutting.
@@ -119,7 +120,7 @@ class KinematicChart : public QChartView {
   CurveReach reach_of(const std::vector<Extent>& columns, bool may_be_cut) const;
   /// Whether a shown curve of the limit's axis is anything but zero.
   bool moves(const LimitLine& limit) const;
-  void draw_picture(QPainter& painter);
+  void draw_picture(QPainter& painter) const;
   void draw_ordinate(QPainter& painter) const;
   void draw_abscissa(QPainter& painter) const;
   void draw_curves(QPainter& painter) const;
@@ -129,9 +130,11 @@ class KinematicChart : public QChartView {
 
   ChartSpec spec_;
   ViewRange& range_;
-  QValueAxis* abscissa_;
-  QValueAxis* ordinate_;
+  ChartGround ground_;
+  QRectF plot_;
   QString abscissa_title_;
+  double abscissa_step_ = 1;  ///< between ticks
+  double ordinate_step_ = 1;
   std::vector<std::vector<Extent>> columns_;  ///< one for each curve, internal units
   std::vector<std::vector<Extent>> usual_;    ///< one for each curve, internal units
   std::size_t columns_a_stretch_ = 1;         ///< of usual_

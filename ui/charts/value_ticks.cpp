@@ -11,8 +11,8 @@ namespace {
 
 constexpr double long_number = 1e6;  // too wide for the margin of the plot
 
-/// A round step with two to `most` ticks; where they would be less than `closest` apart and lose labels, the
-/// step between the two farthest apart.
+}  // namespace
+
 double tick_step(const Interval& range, int most, double closest) {
   const auto has_two = [&range](double step) {
     return std::floor(range.upper / step) - std::ceil(range.lower / step) >= 1;
@@ -27,19 +27,9 @@ double tick_step(const Interval& range, int most, double closest) {
   return step < closest ? step_of_two(range.lower, range.upper) : step;
 }
 
-}  // namespace
-
-void show_range(QValueAxis* axis, const Interval& range, int most, double closest) {
-  const double step = tick_step(range, most, closest);
-  axis->setTickInterval(step);
-  axis->setRange(range.lower, range.upper);
-}
-
-QString tick_text(const QValueAxis& axis, double value) {
-  const bool is_long = axis.alignment() == Qt::AlignLeft &&
-                       std::max(std::abs(axis.min()), std::abs(axis.max())) >= long_number;
-  const QString text = is_long ? QLocale().toString(value, 'g', 4)
-                               : QLocale().toString(value, 'f', step_decimals(axis.tickInterval()));
+QString tick_text(double value, double step, double largest) {
+  const QString text = largest >= long_number ? QLocale().toString(value, 'g', 4)
+                                              : QLocale().toString(value, 'f', step_decimals(step));
   return text.startsWith('-') ? QChar(0x2212) + text.mid(1) : text;
 }
 

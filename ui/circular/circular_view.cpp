@@ -387,15 +387,10 @@ void CircularView::save_picture() {
     return;
   }
   const QSize size = plot_->sizeHint();
-  const auto draw = [this, size](QPainter& painter) {
-    plot_->draw(painter, QRectF(QPointF(), QSizeF(size)));
-  };
   try {
-    if (file.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive)) {
-      save_svg(file, size, tr("Circular test (ISO 230-4)"), draw);
-    } else {
-      save_png(file, size, 2, draw);
-    }
+    feedscope::ui::save_picture(file, size, tr("Circular test (ISO 230-4)"), [&](QPainter& painter) {
+      plot_->draw(painter, QRectF(QPointF(), QSizeF(size)));
+    });
   } catch (const InputError& error) {
     show_idle(failure_text(error));
   }

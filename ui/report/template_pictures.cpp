@@ -8,9 +8,9 @@
 #include <QImage>
 #include <QPainter>
 #include <QRegularExpression>
-#include <QSvgRenderer>
 
 #include "core/base/error.h"
+#include "ui/report/svg_picture.h"
 
 namespace feedscope::ui {
 
@@ -87,11 +87,16 @@ class PictureReader {
       return source;
     }
     if (source.startsWith(QStringLiteral("data:"))) {
-      if (!InlinePicture::from_url(source)) {
-        fail(source.left(40),
-             NC_("core", "contains no picture; PNG, JPEG, SVG and other formats of Qt are supported"));
+      Message reason =
+          NC_("core", "contains no picture; PNG, JPEG, SVG and other formats of Qt are supported");
+      try {
+        if (InlinePicture::from_url(source)) {
+          return source;
+        }
+      } catch (const InputError& error) {
+        reason = error.message();
       }
-      return source;
+      fail(source.left(40), reason);
     }
     if (source.contains(QStringLiteral("://"))) {
       fail(source, NC_("core", "is a URL; save the picture in the template's folder and give its file name"));
@@ -139,15 +144,14 @@ std::optional<InlinePicture> InlinePicture::from_url(const QString& url) {
 std::optional<InlinePicture> InlinePicture::from_bytes(const QByteArray& bytes) {
   InlinePicture picture;
   picture.bytes_ = bytes;
-  const QImage image = QImage::fromData(bytes);
-  picture.vectors_ = bytes.left(1024).contains("<");
-  picture.size_ = picture.vectors_ ? QSizeF(QSvgRenderer(bytes).defaultSize()) : QSizeF(image.size());
+  picture.vectors_ = type_of(bytes) == QStringLiteral("image/svg+xml");
+  picture.size_ = picture.vectors_ ? svg_size(bytes) : QSizeF(QImage::fromData(bytes).size());
   return picture.size_.isEmpty() ? std::nullopt : std::optional(picture);
 }
 
 void InlinePicture::draw(QPainter& painter, const QRectF& place) const {
   if (vectors_) {
-    QSvgRenderer(bytes_).render(&painter, place);
+    draw_svg(painter, bytes_, place);
   } else {
     painter.drawImage(place, QImage::fromData(bytes_));
   }

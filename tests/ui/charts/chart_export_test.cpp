@@ -79,19 +79,19 @@ TEST_F(ChartExport, WhatCannotBeWrittenIsNamedAndLeavesNothingBehind) {
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("run.csv"));
   }
-  EXPECT_THROW(save_png(file, {10, 10}, 1, [](QPainter&) {}), InputError);
-  EXPECT_THROW(save_svg(file, {10, 10}, "", [](QPainter&) {}), InputError);
+  EXPECT_THROW(save_picture(file, {10, 10}, "", [](QPainter&) {}), InputError) << "no picture by its name";
+  EXPECT_THROW(save_picture(path("missing/run.png"), {10, 10}, "", [](QPainter&) {}), InputError);
   EXPECT_TRUE(QDir(folder.path()).isEmpty());
 }
 
 TEST_F(ChartExport, PicturesHaveTheirSize) {
   const auto square = [](QPainter& painter) { painter.fillRect(10, 10, 20, 20, Qt::red); };
-  save_png(path("a.png"), {60, 40}, 2, square);
+  save_picture(path("a.png"), {60, 40}, "square", square);
   const QImage image(path("a.png"));
   EXPECT_EQ(image.size(), QSize(120, 80));
   EXPECT_EQ(image.pixelColor(40, 40), QColor(Qt::red));
   EXPECT_EQ(image.pixelColor(70, 70), QColor(Qt::white));
-  save_svg(path("a.svg"), {60, 40}, "square", square);
+  save_picture(path("a.svg"), {60, 40}, "square", square);
   const QByteArray svg = contents(path("a.svg"));
   EXPECT_TRUE(svg.contains("viewBox=\"0 0 60 40\""));
   EXPECT_TRUE(svg.contains("#ff0000"));

@@ -66,7 +66,7 @@ TEST_F(ChartsCursors, AShiftClickSetsTheSecondAndEscRemovesIt) {
   const QPoint at = place(1, 0.6, 0.5);
   const double time = panel.chart(1).position_at(at.x());
   const double first = cursor.state().time;
-  QTest::mouseClick(panel.chart(1).viewport(), Qt::LeftButton, Qt::ShiftModifier, at);
+  QTest::mouseClick(&panel.chart(1), Qt::LeftButton, Qt::ShiftModifier, at);
   ASSERT_TRUE(panel.second_cursor().has_value());
   EXPECT_NEAR(*panel.second_cursor(), time, 1e-9);
   EXPECT_EQ(cursor.state().time, first);

@@ -28,14 +28,14 @@ class ChartsPanelTest : public testing::Test {
     panel.refresh();
   }
 
-  QRectF plot(std::size_t chart) { return panel.chart(chart).chart()->plotArea(); }
+  QRectF plot(std::size_t chart) { return panel.chart(chart).plot(); }
   QPoint place(std::size_t chart, double x, double y) {
     const QRectF area = plot(chart);
     return QPointF(area.left() + x * area.width(), area.top() + y * area.height()).toPoint();
   }
   void drag(std::size_t chart, QPoint from, QPoint to, Qt::MouseButton button,
             Qt::KeyboardModifiers modifiers = {}) {
-    QWidget* view = panel.chart(chart).viewport();
+    QWidget* view = &panel.chart(chart);
     QTest::mousePress(view, button, modifiers, from);
     for (const QPoint& at : {(from + to) / 2, to}) {
       QMouseEvent move(QEvent::MouseMove, QPointF(at), view->mapToGlobal(QPointF(at)), Qt::NoButton, button,
@@ -46,7 +46,7 @@ class ChartsPanelTest : public testing::Test {
     panel.refresh();
   }
   void wheel(std::size_t chart, QPoint at, Qt::KeyboardModifiers modifiers) {
-    QWidget* view = panel.chart(chart).viewport();
+    QWidget* view = &panel.chart(chart);
     QWheelEvent event(QPointF(at), view->mapToGlobal(QPointF(at)), {}, {0, 120}, Qt::NoButton, modifiers,
                       Qt::NoScrollPhase, false);
     QApplication::sendEvent(view, &event);

@@ -87,7 +87,7 @@ TEST_F(ChartsPanelTest, CtrlAndWheelZoomTheValuesAtThePointer) {
   EXPECT_NEAR(chart.values().width(), 0.8 * before.width(), 1e-9);
   EXPECT_NEAR(chart.value_at(at.y()), pivot, 1e-9);
   EXPECT_EQ(panel.range().lower(), lower);
-  QTest::mouseDClick(chart.viewport(), Qt::LeftButton, {}, QPoint(5, at.y()));
+  QTest::mouseDClick(&chart, Qt::LeftButton, {}, QPoint(5, at.y()));
   EXPECT_EQ(chart.values(), before);
 }
 
@@ -121,7 +121,7 @@ TEST_F(ChartsPanelTest, ATallBoxZoomsTheValuesToo) {
   EXPECT_NEAR(chart.values().upper, upper, 1e-6);
   EXPECT_NEAR(chart.values().lower, lower, 1e-6);
   EXPECT_NEAR(panel.range().lower(), left, 1e-9);
-  QTest::mouseDClick(chart.viewport(), Qt::LeftButton, {}, to);
+  QTest::mouseDClick(&chart, Qt::LeftButton, {}, to);
   EXPECT_FALSE(chart.chosen_values().has_value());
   EXPECT_EQ(panel.range().lower(), 0);
 }
@@ -174,7 +174,7 @@ TEST_F(ChartsPanelTest, NumbersAndTitlesHaveRoomAtTheSizeOfTheDockAndAtTheLeast)
         const feedscope::test::TextSpan& span = paper.spans()[static_cast<std::size_t>(k)];
         const std::string words = paper.texts()[k].toStdString();
         EXPECT_GE(span.left, 0) << size.width() << ' ' << i << ' ' << words;
-        EXPECT_LE(span.right, chart.viewport()->width()) << size.width() << ' ' << i << ' ' << words;
+        EXPECT_LE(span.right, chart.width()) << size.width() << ' ' << i << ' ' << words;
       }
     }
   }
@@ -192,7 +192,7 @@ TEST_F(ChartsPanelTest, LabelsStandInTheirPlots) {
     panel.resize(width, 420);
     QApplication::processEvents();
     for (std::size_t chart = 0; chart < 3; ++chart) {
-      const QRect plot = panel.chart(chart).chart()->plotArea().toAlignedRect();
+      const QRect plot = panel.chart(chart).plot().toAlignedRect();
       EXPECT_TRUE(plot.contains(panel.header(chart).geometry())) << width << ' ' << chart;
     }
   }

@@ -60,6 +60,19 @@ TEST_F(TemplatePictures, AreTakenIntoThePage) {
   EXPECT_EQ(page("<img src='picture:view'/>{{view}}"), "<img src='picture:view'/>{{view}}");
 }
 
+/// The bytes of most photographs contain a '<'.
+TEST_F(TemplatePictures, APictureOfManyColoursIsNoDrawing) {
+  QImage photograph(64, 64, QImage::Format_RGB32);
+  for (int i = 0; i < 64 * 64; ++i) {
+    photograph.setPixel(i % 64, i / 64, qRgb(i * 7 % 251, i * 31 % 241, i * 53 % 239));
+  }
+  photograph.save(folder_.filePath("photograph.png"));
+  QFile file(folder_.filePath("photograph.png"));
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  ASSERT_TRUE(file.read(1024).contains('<'));
+  EXPECT_TRUE(page("<img src='photograph.png'/>").contains("data:image/png;base64,"));
+}
+
 TEST_F(TemplatePictures, AreInThePdfFile) {
   const std::string pdf = paged_pdf(page("<img src='logo.png'/>"), ReportPictures(), {"t", {}, {}});
   EXPECT_THAT(test::PdfReading(pdf).images(), testing::ElementsAre(std::pair(48, 24)));

@@ -1,4 +1,4 @@
-#include "ui/scene/offscreen/shared_library.h"
+#include "ui/scene/offscreen/posix/shared_library.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -8,16 +8,16 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QFontDatabase>
-#include <QGraphicsTextItem>
 #include <QHeaderView>
 #include <QLabel>
+#include <QPainter>
 #include <QTabBar>
 #include <QTest>
-#include <QTextDocument>
 #include <QToolButton>
 
 #include "core/base/data_folder.h"
 #include "tests/ui/patience.h"
+#include "tests/ui/report/recorded_text.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/charts/charts_panel.h"
 #include "ui/decide/decide_view.h"
@@ -50,14 +50,13 @@ std::string shown(const QWidget& widget, const QString& text) {
 }
 
 void add_cut_numbers(const KinematicChart& chart, std::vector<std::string>& cut) {
-  for (const QGraphicsItem* item : chart.scene()->items()) {
-    const auto* text = qgraphicsitem_cast<const QGraphicsTextItem*>(item);
-    if (text != nullptr && text->isVisible() && !text->toPlainText().isEmpty()) {
-      const double margin = text->document()->documentMargin();
-      const QRectF box = text->sceneBoundingRect().adjusted(margin, margin, -margin, -margin);
-      if (!QRectF(chart.viewport()->rect()).contains(box)) {
-        cut.push_back(shown(chart, text->toPlainText()));
-      }
+  feedscope::test::RecordedText paper;
+  QPainter painter(&paper);
+  chart.draw(painter);
+  for (qsizetype i = 0; i < paper.texts().size(); ++i) {
+    const feedscope::test::TextSpan& span = paper.spans()[static_cast<std::size_t>(i)];
+    if (span.left < 0 || span.right > chart.width()) {
+      cut.push_back(shown(chart, paper.texts()[i]));
     }
   }
 }

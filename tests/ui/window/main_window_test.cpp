@@ -66,11 +66,11 @@ class MainWindowTest : public testing::Test {
 
   /// Where a chart shows a time, half way up.
   QPoint point_in(KinematicChart& chart, double time) const {
-    return {static_cast<int>(std::lround(chart.pixel_of(time))), chart.viewport()->height() / 2};
+    return {static_cast<int>(std::lround(chart.pixel_of(time))), chart.height() / 2};
   }
   void click_chart(std::size_t i, double time) {
     KinematicChart& chart = window.part<ChartsPanel>().chart(i);
-    QTest::mouseClick(chart.viewport(), Qt::LeftButton, {}, point_in(chart, time));
+    QTest::mouseClick(&chart, Qt::LeftButton, {}, point_in(chart, time));
   }
   /// A pixel of a chart in seconds.
   double pixel_time() { return duration() / window.part<ChartsPanel>().chart(0).column_count(); }
@@ -207,9 +207,9 @@ TEST_F(MainWindowTest, WheelZoomsAtThePointerInAllCharts) {
   KinematicChart& chart = window.part<ChartsPanel>().chart(1);
   const double time = 0.25 * duration();
   const QPoint point = point_in(chart, time);
-  QWheelEvent wheel(point, chart.viewport()->mapToGlobal(point), {}, {0, 480}, Qt::NoButton, {},
-                    Qt::NoScrollPhase, false);
-  QCoreApplication::sendEvent(chart.viewport(), &wheel);
+  QWheelEvent wheel(point, chart.mapToGlobal(point), {}, {0, 480}, Qt::NoButton, {}, Qt::NoScrollPhase,
+                    false);
+  QCoreApplication::sendEvent(&chart, &wheel);
   ViewRange& range = window.part<ChartsPanel>().range();
   EXPECT_LT(range.upper() - range.lower(), 0.5 * duration());
   window.part<ChartsPanel>().refresh();
@@ -225,15 +225,15 @@ TEST_F(MainWindowTest, DragPansAndDoubleClickShowsAll) {
   window.part<ChartsPanel>().refresh();
   const double lower = range.lower();
   const double time = model.cursor().state().time;
-  const QPoint from(chart.viewport()->width() / 2, 20);
-  QTest::mousePress(chart.viewport(), Qt::LeftButton, {}, from);
-  QMouseEvent move(QEvent::MouseMove, from + QPoint(60, 0), chart.viewport()->mapToGlobal(from), Qt::NoButton,
+  const QPoint from(chart.width() / 2, 20);
+  QTest::mousePress(&chart, Qt::LeftButton, {}, from);
+  QMouseEvent move(QEvent::MouseMove, from + QPoint(60, 0), chart.mapToGlobal(from), Qt::NoButton,
                    Qt::LeftButton, {});
-  QCoreApplication::sendEvent(chart.viewport(), &move);
-  QTest::mouseRelease(chart.viewport(), Qt::LeftButton, {}, from + QPoint(60, 0));
+  QCoreApplication::sendEvent(&chart, &move);
+  QTest::mouseRelease(&chart, Qt::LeftButton, {}, from + QPoint(60, 0));
   EXPECT_NEAR(range.lower(), lower - 60 * (range.upper() - range.lower()) / chart.column_count(), 1e-3);
   EXPECT_EQ(model.cursor().state().time, time) << "a drag is no click";
-  QTest::mouseDClick(chart.viewport(), Qt::LeftButton, {}, from);
+  QTest::mouseDClick(&chart, Qt::LeftButton, {}, from);
   EXPECT_EQ(range.lower(), 0);
   EXPECT_DOUBLE_EQ(range.upper(), duration());
 }

@@ -153,7 +153,7 @@ class WindowFuzz : public testing::Test {
       }
     }
     // Half of all on what has most of the window.
-    QList<QWidget*> large{&window.scene().canvas(), window.part<ChartsPanel>().chart(any(3)).viewport(),
+    QList<QWidget*> large{&window.scene().canvas(), &window.part<ChartsPanel>().chart(any(3)),
                           &window.part<ProgramPanel>().view(), window.part<RunsView>().table()->viewport()};
     QWidget* chosen = any(2) == 0
                           ? large[static_cast<qsizetype>(any(4))]

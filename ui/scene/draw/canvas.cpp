@@ -21,6 +21,7 @@
 #include <system_error>
 #include <tuple>
 
+#include "core/base/data_folder.h"
 #include "core/base/units.h"
 
 namespace feedscope::ui {
@@ -36,8 +37,8 @@ struct TypeFace {
 /// The files of DejaVu Sans; empty if it is not installed: texts are then in VTK's own Arial.
 const TypeFace& type_face() {
   static const TypeFace face = [] {
-    const std::filesystem::path folder = FEEDSCOPE_FONTS;
-    TypeFace found{folder / "DejaVuSans.ttf", folder / "DejaVuSans-Bold.ttf"};
+    const std::filesystem::path folder = data_folder() / FEEDSCOPE_FONTS;  // which may be absolute
+    TypeFace found{(folder / "DejaVuSans.ttf").string(), (folder / "DejaVuSans-Bold.ttf").string()};
     std::error_code error;
     const bool there =
         std::filesystem::exists(found.regular, error) && std::filesystem::exists(found.bold, error);

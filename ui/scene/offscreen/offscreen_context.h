@@ -4,8 +4,8 @@
 
 namespace feedscope::ui {
 
-/// An OpenGL 3.2 core context without a display, for one thread at a time. While it is current, libOpenGL and
-/// GLEW reach it through libglvnd's dispatcher.
+/// An OpenGL 3.2 core context without a display, for one thread at a time. While it is current, the OpenGL
+/// library and GLEW reach it.
 class OffscreenContext {
  public:
   virtual ~OffscreenContext() = default;
@@ -16,8 +16,9 @@ class OffscreenContext {
   virtual bool is_current() const = 0;
 };
 
-/// OSMesa, or EGL without a surface where Mesa no longer contains OSMesa. FEEDSCOPE_OFFSCREEN=osmesa or egl
-/// in the environment selects one of them. Throws InputError with the reasons if neither works.
+/// posix/: OSMesa, or EGL without a surface where Mesa no longer contains OSMesa; FEEDSCOPE_OFFSCREEN=osmesa
+/// or egl in the environment selects one of them. windows/: the graphics driver's, of a hidden window. Throws
+/// InputError with the reasons if none works.
 std::unique_ptr<OffscreenContext> make_offscreen_context();
 
 }  // namespace feedscope::ui

@@ -1,4 +1,4 @@
-#include "ui/scene/offscreen/shared_library.h"
+#include "ui/scene/offscreen/posix/shared_library.h"
 
 #include <dlfcn.h>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "ui/scene/offscreen/egl_context.h"
+#include "ui/scene/offscreen/posix/egl_context.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "ui/scene/offscreen/shared_library.h"
+#include "ui/scene/offscreen/posix/shared_library.h"
 
 namespace feedscope::ui {
 namespace {

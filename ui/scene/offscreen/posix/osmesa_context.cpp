@@ -1,10 +1,10 @@
-#include "ui/scene/offscreen/osmesa_context.h"
+#include "ui/scene/offscreen/posix/osmesa_context.h"
 
 #include <array>
 #include <string>
 
 #include "core/base/error.h"
-#include "ui/scene/offscreen/shared_library.h"
+#include "ui/scene/offscreen/posix/shared_library.h"
 
 // The part of libglvnd's dispatcher (libGLdispatch.so.0, ABI version 1) used here; no package contains its
 // header.

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "ui/scene/offscreen/egl_context.h"
-#include "ui/scene/offscreen/osmesa_context.h"
+#include "ui/scene/offscreen/posix/egl_context.h"
+#include "ui/scene/offscreen/posix/osmesa_context.h"
 
 namespace feedscope::ui {
 namespace {
