@@ -253,6 +253,8 @@ std::string claims_table(const Lesson& lesson, std::size_t index, const HandoutC
     return {};
   }
   const auto word = [&](const std::string& english) { return lesson_word(english, lesson.language); };
+  SettingWords words = contents.words;
+  words.of_question = lesson.questions[index].with;
   std::string html = fmt::format(
       "<table class=\"claims\" width=\"100%\" cellspacing=\"0\"><tr><th width=\"50%\">{}</th>"
       "<th width=\"28%\">{}</th><th width=\"22%\">{}</th></tr>\n",
@@ -267,8 +269,8 @@ std::string claims_table(const Lesson& lesson, std::size_t index, const HandoutC
     }
     html += fmt::format(
         "<tr><td>{}</td><td>{}</td><td>{}{}</td></tr>\n",
-        escaped(quantity_text(claims[i].quantity, lesson.language, contents.words)),
-        escaped(kept_together(expectation_text(claims[i], lesson.language, contents.words))),
+        escaped(quantity_text(claims[i].quantity, lesson.language, words)),
+        escaped(kept_together(expectation_text(claims[i], lesson.language, words))),
         escaped(kept_together(computed)),
         result.holds ? std::string() : fmt::format(" <b class=\"fails\">{}</b>", word("does not hold")));
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <regex>
 #include <set>
 
@@ -43,11 +44,23 @@ std::string changes_text(const Changes& changes, const std::string& language, co
   if (!words.title) {
     return in_words("with {}", language, fmt::format("{}", fmt::join(changes, ", ")));
   }
+  const auto of_question = [&](const std::string& change) {
+    return std::ranges::find(words.of_question, change) != words.of_question.end();
+  };
+  const bool shortened = !words.of_question.empty() &&
+                         std::ranges::count_if(changes, of_question) == std::ssize(words.of_question);
   std::vector<std::string> texts;
   for (const std::string& change : changes) {
-    texts.push_back(change_text(change, language, words));
+    if (!shortened || !of_question(change)) {
+      texts.push_back(change_text(change, language, words));
+    }
   }
-  return in_words("with {}", language, fmt::format("{}", fmt::join(texts, lesson_word("; ", language))));
+  const std::string list = fmt::format("{}", fmt::join(texts, lesson_word("; ", language)));
+  if (shortened) {
+    return texts.empty() ? lesson_word("as the question begins", language)
+                         : in_words("with the question's settings and {}", language, list);
+  }
+  return in_words("with {}", language, list);
 }
 
 /// Calls `found` for every number in `text` that is not part of a word, with the text after it.

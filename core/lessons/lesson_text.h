@@ -22,6 +22,8 @@ void check_numbers(const std::string& text, const Lesson& lesson);
 
 /// Titles of the settings of a lesson. Without a function, keys and values are as in lesson files.
 struct SettingWords {
+  /// Changes of a question, which texts name as its settings instead of repeating them.
+  Changes of_question = {};
   std::function<std::string(const std::string& key)> title = {};
   /// For values that are not numbers.
   std::function<std::string(const std::string& key, const std::string& value)> value = {};
@@ -30,8 +32,8 @@ struct SettingWords {
 /// Text such as "less than that with tolerance=0.1", "about 2.01 m/min, within 1 %".
 std::string expectation_text(const Claim& claim, const std::string& language = "en",
                              const SettingWords& words = {});
-/// Text such as "cycle time with tolerance=0.05 against that with tolerance=0.1"; "as it stands" without
-/// changes.
+/// Text such as "cycle time with tolerance=0.05, less that with tolerance=0.1"; "as the lesson begins"
+/// without changes.
 std::string quantity_text(const LessonQuantity& quantity, const std::string& language = "en",
                           const SettingWords& words = {});
 /// Unit such as "s"; "%" or "" for a quantity compared with another.

@@ -164,8 +164,7 @@ void LessonDesk::cover_window() {
   try {
     const LessonSetup start = set_up(open_->lesson, {});
     emit set_up_begins();
-    workbench_.close();
-    workbench_.runs().replace({{0, {}, run_colour(0), true, state_of(start)}}, 0, start.setup.load);
+    workbench_.close_for_lesson({0, {}, run_colour(0), true, state_of(start)}, start.setup.load);
   } catch (const std::exception& error) {
     report(error);
   }
@@ -262,7 +261,7 @@ void LessonDesk::set_up_window() {
     }
     emit set_up_begins();
     view_pending_ = true;
-    workbench_.open(start.program, std::move(runs), 0, {}, start.setup.load);
+    workbench_.open_for_lesson(start.program, std::move(runs), 0, start.setup.load);
   } catch (const std::exception& error) {
     report(error);
   }
@@ -295,7 +294,7 @@ void LessonDesk::move_control(const std::string& value) {
     } else {
       std::vector<RunItem> all = runs.items();
       all[runs.current()].setup = state_of(moved);
-      workbench_.open(moved.program, std::move(all), runs.current(), {}, moved.setup.load);
+      workbench_.open_for_lesson(moved.program, std::move(all), runs.current(), moved.setup.load);
     }
   } catch (const std::exception& error) {
     report(error);

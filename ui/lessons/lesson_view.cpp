@@ -667,7 +667,9 @@ void LessonView::show_value() {
   value_->setVisible(lesson != nullptr);
   if (lesson != nullptr) {
     value_->setText(tr("In the current run: %1 <b>%2</b>")
-                        .arg(desk_.watched(), desk_.value().isEmpty() ? QStringLiteral("–") : desk_.value()));
+                        .arg(desk_.watched(), desk_.value().isEmpty()
+                                                  ? QStringLiteral("–")
+                                                  : "<nobr>" + desk_.value() + "</nobr>"));
   }
 }
 

@@ -121,7 +121,7 @@ void WindowSession::show_contents(const Session& session) {
 }
 
 void WindowSession::set_aside() {
-  if (aside_ != nullptr || workbench_.program() == nullptr) {
+  if (aside_ != nullptr || workbench_.program() == nullptr || workbench_.of_lesson()) {
     return;
   }
   aside_ = std::make_shared<const Aside>(Aside{capture(), hand_over(), contents_changed()});

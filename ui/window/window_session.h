@@ -47,7 +47,7 @@ class WindowSession : public QObject {
   /// Treats the current contents as the initial ones of a lesson or command line, without work of the user.
   void begin_here() { start_ = essence(); }
   /// Stores the window's contents, to be restored after a lesson has replaced them. Does nothing without a
-  /// program, or if something is already stored.
+  /// program, with that of another lesson, or if something is already stored.
   void set_aside();
   /// Restores the stored contents with their session file; the layout is unchanged. Does nothing without any.
   void bring_back();

@@ -64,6 +64,7 @@ void Workbench::show(const Run& run) {
   job_.cancel();
   working_on_ = 0;
   machine_chosen_ = true;
+  own_.reset();
   file_ = run.input.program->source->name();
   reading_ = {};
   program_ = {};
@@ -79,7 +80,7 @@ void Workbench::show(const Run& run) {
 
 void Workbench::open(const std::filesystem::path& file) {
   if (file != file_) {
-    if (!file_.empty()) {
+    if (!file_.empty() || own_) {
       begin_runs_again();
     }
     traces_.clear();
@@ -92,14 +93,15 @@ void Workbench::open(const std::filesystem::path& file) {
   read_file();
 }
 
-void Workbench::close() {
+void Workbench::close_for_lesson(RunItem run, const LoadSetup& load) {
+  keep_own_setup();
   job_.cancel();
   program_ = {};
   file_.clear();
   traces_.clear();
   annotations_.replace({});
   reading_ = {};
-  begin_runs_again();
+  runs_.replace({std::move(run)}, 0, load);
   show_nothing();
   emit program_changed();
 }
@@ -113,6 +115,24 @@ void Workbench::show_nothing() {
 
 void Workbench::open(const std::filesystem::path& file, std::vector<RunItem> runs, std::size_t current,
                      const ReadOptions& reading, const LoadSetup& load) {
+  own_.reset();
+  open_with(file, std::move(runs), current, reading, load);
+}
+
+void Workbench::open_for_lesson(const std::filesystem::path& file, std::vector<RunItem> runs,
+                                std::size_t current, const LoadSetup& load) {
+  keep_own_setup();
+  open_with(file, std::move(runs), current, {}, load);
+}
+
+void Workbench::keep_own_setup() {
+  if (!own_) {
+    own_ = {runs_.current_item().setup, machine_chosen_};
+  }
+}
+
+void Workbench::open_with(const std::filesystem::path& file, std::vector<RunItem> runs, std::size_t current,
+                          const ReadOptions& reading, const LoadSetup& load) {
   job_.cancel();
   traces_.clear();
   file_ = file;
@@ -124,10 +144,12 @@ void Workbench::open(const std::filesystem::path& file, std::vector<RunItem> run
   open(file);
 }
 
-/// Keeps one run of those set up for the previous program, on its current machine; it follows the tolerances
-/// of the new program.
+/// Keeps one run of those set up for the previous program, on its current machine, or on that before a
+/// lesson; it follows the tolerances of the new program.
 void Workbench::begin_runs_again() {
-  SetupState setup = runs_.current_item().setup;
+  SetupState setup = own_ ? own_->setup : runs_.current_item().setup;
+  machine_chosen_ = own_ ? own_->machine_chosen : machine_chosen_;
+  own_.reset();
   for (const char* key : {contour_tolerance_key, program_tolerance_key}) {
     setup.reset(key);
   }
@@ -214,8 +236,12 @@ void Workbench::choose_machine(const QString& id_or_file) {
 }
 
 void Workbench::use_machine(Machine machine) {
-  setup_.set_file(plain_setup(std::move(machine)));
+  const Setup setup = plain_setup(std::move(machine));
+  setup_.set_file(setup);
   machine_chosen_ = true;
+  if (own_) {
+    own_ = {SetupState(setup), true};
+  }
 }
 
 void Workbench::choose_model(const QString& id) {

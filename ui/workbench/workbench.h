@@ -49,8 +49,12 @@ class Workbench : public QObject {
   /// Opens a program with other runs, at least one; clears their history.
   void open(const std::filesystem::path& file, std::vector<RunItem> runs, std::size_t current,
             const ReadOptions& reading = {}, const LoadSetup& load = {});
-  /// Closes the program; one run remains, as for another program.
-  void close();
+  /// Opens the program of a lesson in the same way. Programs opened later with open(file) begin with the
+  /// setup that was current before the lesson, or on the machine that the user chooses during it.
+  void open_for_lesson(const std::filesystem::path& file, std::vector<RunItem> runs, std::size_t current,
+                       const LoadSetup& load);
+  /// Closes the program and shows the setup of a lesson, for whose program open_for_lesson() follows.
+  void close_for_lesson(RunItem run, const LoadSetup& load);
   /// Reads the program again; the cursor keeps its line.
   void reload();
   void set_reload_on_change(bool on);
@@ -97,6 +101,8 @@ class Workbench : public QObject {
   void show_place(double time, double from, double to);
   /// Their changes are in the history of the runs.
   AnnotationList& annotations() { return annotations_; }
+  /// Whether the program and its runs are a lesson's.
+  bool of_lesson() const { return own_.has_value(); }
   const std::filesystem::path& file() const { return file_; }
   /// Null until a program has been read.
   std::shared_ptr<const Program> program() const { return program_.input.program; }
@@ -131,8 +137,17 @@ class Workbench : public QObject {
     bool operator==(const FileState&) const = default;
   };
 
+  /// Setup that programs begin with which are opened after a lesson.
+  struct OwnSetup {
+    SetupState setup;
+    bool machine_chosen = false;
+  };
+
   void show_nothing();
   void begin_runs_again();
+  void keep_own_setup();
+  void open_with(const std::filesystem::path& file, std::vector<RunItem> runs, std::size_t current,
+                 const ReadOptions& reading, const LoadSetup& load);
   void read_file();
   std::optional<FileState> file_state() const;
   static Setup plain_setup(Machine machine);
@@ -168,6 +183,7 @@ class Workbench : public QObject {
   std::filesystem::path file_;
   ReadOptions reading_;
   bool machine_chosen_ = false;  ///< else the program's dialect chooses it
+  std::optional<OwnSetup> own_;  ///< while the runs are a lesson's
   ShownProgram program_;
   int working_on_ = 0;         ///< id of the run being simulated
   Setup working_setup_;        ///< its setup at the start

@@ -44,6 +44,22 @@ TEST_F(LessonText, SettingsAreCalledAsPeopleDo) {
   EXPECT_EQ(change_text("lookahead=off", "en", words), "lookahead: (off)");
 }
 
+TEST_F(LessonText, SettingsOfTheQuestionAreNotRepeated) {
+  const Lesson lesson = read_lesson(write(good_lesson));
+  LessonQuantity quantity = lesson.numbers.at("less");
+  SettingWords words;
+  words.title = [](const std::string& key) { return key; };
+  words.of_question = {"model=cam", "X.kv=30"};
+  quantity.with = {"model=cam", "X.kv=30", "tolerance=0.2"};
+  quantity.against = Changes{"model=cam", "X.kv=30"};
+  EXPECT_EQ(quantity_text(quantity, "en", words),
+            "cycle time with the question's settings and tolerance: 0.2, in percent less than that as the "
+            "question begins");
+  quantity.with = {"model=cam", "tolerance=0.2"};  // only a part of them
+  EXPECT_EQ(quantity_text(quantity, "en", words),
+            "cycle time with model: cam; tolerance: 0.2, in percent less than that as the question begins");
+}
+
 TEST_F(LessonText, NumbersThatNothingChecksAreFound) {
   EXPECT_THAT(unchecked_numbers(read_lesson(write(good_lesson))), testing::IsEmpty());
   EXPECT_THAT(unchecked_numbers(read_lesson(changed("\"Look.\"", "\"It takes 4.2 s, or 12 blocks.\""))),

@@ -360,6 +360,35 @@ TEST_F(WorkbenchTest, TheFirstProgramRunsAsItWasSetUpBefore) {
   EXPECT_EQ(model.runs().tolerance(model.runs().current_item())->max, 0.02);
 }
 
+/// A lesson's machine, limits and tolerance are the lesson's; one that is chosen during it is the user's.
+TEST_F(WorkbenchTest, AProgramOpenedAfterALessonBeginsAsBeforeIt) {
+  const auto lesson_file = write("lesson.nc", test::small_program);
+  const auto own_file = write("own.nc", "G64 P0.2\n" + test::small_program);
+  model.choose_machine("huron-kx10");
+  model.setup().set("X.jerk", 12.0);
+  const SetupState own = model.setup().state();
+  const auto setup = make_setup({"spinner-mvc850", "essid", 0.042});
+  const RunItem of_lesson{0, {}, run_colour(0), true, SetupState(setup)};
+  for (const bool opened : {false, true}) {
+    model.close_for_lesson(of_lesson, {});
+    EXPECT_EQ(model.setup().setup(), setup);
+    if (opened) {
+      model.open_for_lesson(lesson_file, {of_lesson}, 0, {});
+      wait_until_idle(model);
+    }
+    model.open(own_file);
+    wait_until_idle(model);
+    EXPECT_EQ(model.setup().setup(), own.setup()) << opened;
+    EXPECT_EQ(model.runs().tolerance(model.runs().current_item())->max, 0.2) << opened;
+  }
+  model.close_for_lesson(of_lesson, {});
+  model.choose_machine("mikron-ucp710");
+  model.open(own_file);
+  wait_until_idle(model);
+  EXPECT_EQ(model.setup().file().machine.id, "mikron-ucp710");
+  EXPECT_TRUE(model.setup().state().edits().empty());
+}
+
 /// As --tolerance, a sweep and a lesson set it.
 TEST_F(WorkbenchTest, AToleranceGivesTheSettingsOfTheCommandLine) {
   for (const char* words : {"G64 P0.2\n", ""}) {
