@@ -531,6 +531,37 @@ test('a phone: touch turns, pinches and taps; nothing is wider than the screen',
   assert.deepEqual(phone.complaints, []);
 });
 
+test('a phone: every text but those of pictures has 14 px, wide tables scroll, and fingers may enlarge', async () => {
+  const phone = await browser.page({ width: 390, height: 844, phone: true });
+  const found = () =>
+    phone.ask(() => {
+      const small = new Set();
+      let texts = 0;
+      const walk = (node) => {
+        if (node.nodeType === Node.TEXT_NODE && node.textContent.trim()) {
+          const range = document.createRange();
+          range.selectNodeContents(node);
+          const size = parseFloat(getComputedStyle(node.parentElement).fontSize);
+          texts += 1;
+          if (range.getClientRects().length && size < 14) small.add(`${size}: ${node.textContent.trim().slice(0, 40)}`);
+        }
+        if (['svg', 'STYLE', 'SCRIPT'].includes(node.nodeName)) return;
+        for (const child of [...node.childNodes, ...(node.shadowRoot?.childNodes ?? [])]) walk(child);
+      };
+      walk(document.body);
+      const wide = [...document.querySelectorAll('table.data')].filter(
+        (table) => table.getBoundingClientRect().right > 390 && getComputedStyle(table).overflowX !== 'auto',
+      ).length;
+      const viewport = document.querySelector('meta[name=viewport]').content;
+      return { any: texts > 20, small: [...small], wide, width: document.documentElement.scrollWidth, fixed: /user-scalable|maximum-scale/.test(viewport) };
+    });
+  const good = { any: true, small: [], wide: 0, width: 390, fixed: false };
+  await phone.openView(url('slot.html'));
+  assert.deepEqual(await found(), good);
+  await phone.openView(url('nasty.html'));
+  assert.deepEqual(await found(), good);
+});
+
 test('dark where the system is dark', async () => {
   const dark = await browser.page();
   await dark.media({ 'prefers-color-scheme': 'dark' });
