@@ -10344,6 +10344,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>one number is expected here, not several</source>
         <translation>un seul nombre est attendu ici, pas plusieurs</translation>
     </message>
+    <message>
+        <source>is an SVG file, which this build of Feedscope cannot draw; use PNG or JPEG</source>
+        <translation>est un fichier SVG, que cette version de Feedscope ne peut pas dessiner ; utilisez PNG ou JPEG</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>

@@ -51,7 +51,7 @@ std::string word_for_value(const std::string& key, const std::string& value) {
 ReportPage handout_page(const Lesson& lesson, LessonRuns& runs, HandoutReader reader, const SceneTexts& texts,
                         Progress* progress, LearnersWork work) {
   HandoutContents contents = handout_contents(lesson, runs, reader, progress);
-  contents.words = {title_with_unit, word_for_value};
+  contents.words = {.title = title_with_unit, .value = word_for_value};
   contents.work = std::move(work);
   ReportInput input = input_of(lesson, runs, progress);
   input.texts = texts;
