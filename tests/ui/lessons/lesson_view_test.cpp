@@ -7,6 +7,7 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QLabel>
+#include <QLayout>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -309,6 +310,22 @@ TEST_F(LessonViewTest, TheFirstTryLeavesTheButtonsInPlace) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 1; }, patience));
   QTest::qWait(laid_out);
   EXPECT_EQ(place(), before) << "the next one is met by the same click";
+}
+
+TEST_F(LessonViewTest, TheFirstValueHasItsRoomAfterThePrediction) {
+  constexpr QSize as_docked(292, 650);
+  view.resize(as_docked);
+  desk.unlock(false);
+  QSignalSpy opened(&desk, &LessonDesk::opened);
+  desk.open(find_lesson("3"), true);
+  ASSERT_TRUE(opened.wait(patience));
+  view.own_prediction().setPlainText("by a half");
+  click(&view.predict_button());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 1; }, patience));
+  constexpr int laid_out = 50;  // [ms]
+  QTest::qWait(laid_out);
+  const QWidget& tried = *view.tries().parentWidget();
+  EXPECT_GE(tried.height(), tried.layout()->totalHeightForWidth(tried.width()));
 }
 
 TEST_F(LessonViewTest, TriesLastUntilTheyAreCleared) {

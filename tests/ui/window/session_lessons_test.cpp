@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/lessons/lesson.h"
 #include "tests/ui/answer_next.h"
 #include "tests/ui/patience.h"
 #include "tests/ui/window/small_session.h"
@@ -85,6 +87,18 @@ TEST_F(SessionLessonsTest, WhatIsKeptCountsAsSavedIfItWas) {
   EXPECT_EQ(asked, 1);
   EXPECT_EQ(desk().all_work(), work_with("of another file", "kept"));
   EXPECT_FALSE(session().changed());
+}
+
+TEST_F(SessionLessonsTest, TheContentsOfALessonAreNotOnesOwn) {
+  bool own = false;
+  QObject::connect(&session(), &WindowSession::aside_changed, [&](bool there) { own = there; });
+  for (const char* lesson : {"4", "5"}) {
+    QSignalSpy opened(&desk(), &LessonDesk::opened);
+    desk().open(find_lesson(lesson), true);
+    ASSERT_TRUE(opened.wait(patience)) << lesson;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return model_.of_lesson() && model_.program() != nullptr; }, patience));
+    EXPECT_FALSE(own) << "after lesson " << lesson << " of an empty window";
+  }
 }
 
 }  // namespace
