@@ -91,6 +91,7 @@ TEST_F(SessionLessonsTest, WhatIsKeptCountsAsSavedIfItWas) {
 
 TEST_F(SessionLessonsTest, TheContentsOfALessonAreNotOnesOwn) {
   bool own = false;
+  desk().unlock(true);
   QObject::connect(&session(), &WindowSession::aside_changed, [&](bool there) { own = there; });
   for (const char* lesson : {"4", "5"}) {
     QSignalSpy opened(&desk(), &LessonDesk::opened);
