@@ -2025,6 +2025,10 @@
         <translation>Plus grande erreur de contour de %1, ligne %2, toutes les simulations.</translation>
     </message>
     <message>
+        <source>Largest contour error of the set path, line %1; the actual one, with the drives, is in the table.</source>
+        <translation>Plus grande erreur de contour de la trajectoire de consigne, ligne %1&#xa0;; la réelle, avec les entraînements, est dans le tableau.</translation>
+    </message>
+    <message>
         <source>Largest contour error, line %1.</source>
         <translation>Plus grande erreur de contour, ligne %1.</translation>
     </message>

@@ -194,6 +194,7 @@ void LensPicture::draw_scales(QPainter& painter, const View& view) const {
   const QString along_text = name(along, tr("%1 along"));
   const QRectF along_room(left, y - 2 * tick - metrics.ascent(), metrics.horizontalAdvance(along_text),
                           metrics.height());
+  view.make_pale(painter, along_room);
   painter.drawText(QPointF(left, y - 2 * tick), along_text);
   const double across = round_down_125(bar_share * lens_.height);
   const double x = view.plot.right() - edge;

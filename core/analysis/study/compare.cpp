@@ -30,7 +30,11 @@ std::vector<std::string> or_all_models(const std::vector<std::string>& models) {
 /// Throws InputError for an assignment that none of the models takes.
 void check_assignments(const std::vector<std::string>& assignments, const std::vector<std::string>& models) {
   std::vector<std::string> known;
+  std::vector<std::string> named;  // several machines may have the same model
   for (const std::string& model : models) {
+    if (!contains(named, model)) {
+      named.push_back(model);
+    }
     for (std::string& key : assignable_keys(find_model(model))) {
       if (!contains(known, key)) {
         known.push_back(std::move(key));
@@ -42,7 +46,7 @@ void check_assignments(const std::vector<std::string>& assignments, const std::v
     if (!contains(known, key)) {
       const std::string near = nearest_name(key, known);
       throw InputError(message(NC_("core", "setting '{}' is unknown to the models {}; {}known settings: {}"),
-                               key, fmt::format("{}", fmt::join(models, ", ")),
+                               key, fmt::format("{}", fmt::join(named, ", ")),
                                near.empty() ? Message() : message(NC_("core", "did you mean '{}'? "), near),
                                fmt::format("{}", fmt::join(known, ", "))));
     }

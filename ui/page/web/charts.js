@@ -1,7 +1,7 @@
 // Feed, limiting cause, acceleration and jerk over time or path: uPlot, one range and one cursor for all.
 
 import uPlot from 'uplot';
-import { causeColour } from './colouring.js';
+import { causeColour, labelFont, labelHeight } from './colouring.js';
 import { el, prepared, themeColour } from './elements.js';
 import { inShownUnit, numberText, tickText, unitOf } from './numbers.js';
 import { firstAtLeast, kinds, lastAtMost } from './page_data.js';
@@ -257,7 +257,7 @@ export class Charts {
         stroke: muted,
         grid: { stroke: grid, width: 1 },
         ticks: { show: false },
-        font: '11px "DejaVu Sans", Verdana, sans-serif',
+        font: labelFont(),
         values: (self, ticks) => ticks.map(tickText),
       };
       plot.chart = new uPlot(
@@ -275,11 +275,11 @@ export class Charts {
             {
               ...axis,
               show: k === last,
-              size: 22,
+              size: 2 * labelHeight(),
               grid: { show: false },
               values: (self, ticks) => this.withUnit(ticks),
             },
-            { ...axis, size: gutter, space: 24 },
+            { ...axis, size: gutter, space: 2 * labelHeight() + 2 },
           ],
           series,
         },

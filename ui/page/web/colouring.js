@@ -11,6 +11,10 @@ const rgbOf = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16)
 
 export const isDark = () => window.matchMedia('(prefers-color-scheme: dark)').matches;
 
+/** Height of the labels of charts and lens: on a phone that of the page's text, by the width of style.css [pixels]. */
+export const labelHeight = () => (window.matchMedia('(max-width: 760px)').matches ? 14 : 11);
+export const labelFont = () => `${labelHeight()}px "DejaVu Sans", Verdana, sans-serif`;
+
 export const colourings = () => [
   ['feed', tr('Feed')],
   ['cause', tr('Limiting cause')],

@@ -1,6 +1,7 @@
 // The place at the cursor with all runs over each other, stretched across the programmed direction: the rules
 // of core/analysis/lens on what the page has.
 
+import { labelFont } from './colouring.js';
 import { el, prepared, themeColour } from './elements.js';
 import { amountText, inShownUnit, numberText, roundUp, tickText, unitOf } from './numbers.js';
 import { firstAtLeast, kinds, lastAtMost } from './page_data.js';
@@ -228,7 +229,7 @@ export class LensView {
 
   drawScales({ context, width, height }, lens) {
     context.strokeStyle = context.fillStyle = themeColour(this.host, '--muted');
-    context.font = '11px "DejaVu Sans", Verdana, sans-serif';
+    context.font = labelFont();
     context.lineWidth = 1;
     const along = roundUp(inShownUnit((0.2 * lens.width), 'length'));
     const pixels = (along / inShownUnit(1, 'length') / lens.width) * width;

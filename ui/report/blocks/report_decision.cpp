@@ -265,6 +265,12 @@ QString corner_figure(const ReportInput& input, ReportPictures& pictures) {
   }
   const QString picture = pictures.add(QStringLiteral("corner"), lens_picture(shot, corner_size),
                                        ReportWords::tr("Lens at line %1").arg(shot->lens.line));
+  if (has_drives(input)) {
+    return figure(picture,
+                  ReportWords::tr("Largest contour error of the set path, line %1; the actual one, with the "
+                                  "drives, is in the table.")
+                      .arg(shot->lens.line));
+  }
   return figure(picture, input.runs.size() > 1
                              ? ReportWords::tr("Largest contour error of %1, line %2, all runs.")
                                    .arg(lettered_name(input, input.current))
