@@ -75,8 +75,9 @@ void RunTable::follow_figures() {
   std::vector<const SourceFigure*> figures = source_figures_of(
       results, [](const auto& result) { return result != nullptr ? &result->run.summary : nullptr; });
   const auto is_error = [](const SourceFigure* figure) { return figure->dimension == Dimension::error; };
-  const auto actual = std::ranges::find_if(figures, is_error);
-  if (std::exchange(error_, actual == figures.end() ? nullptr : *actual) != error_) {
+  const auto found = std::ranges::find_if(figures, is_error);
+  const SourceFigure* const error = found == figures.end() ? nullptr : *found;
+  if (std::exchange(error_, error) != error) {
     emit headerDataChanged(Qt::Horizontal, contour_error, contour_error);
   }
   std::erase_if(figures, is_error);
