@@ -64,12 +64,13 @@ std::string main_causes(const StudyRun& run) {
 }
 
 std::string curve_table(const Study& study, std::span<const StudyRun> curve) {
-  const std::vector<bool> marks = fastest_marks(curve, study.within);
+  const std::vector<bool> marks = recommended_marks(curve, study.within);
   TextTable table;
   const Sweep& sweep = study.sweeps.front();
   const std::string unit = sweep_unit(sweep.key);
   const auto figures = source_figures_of(study.runs, [](const StudyRun& run) { return &run.summary; });
-  std::vector<std::string> head{"", sweep.key, "cycle time", "h:mm:ss", "mean feed", "contour error"};
+  std::vector<std::string> head{
+      "", sweep.key, "cycle time", "h:mm:ss", "mean achieved feed", "contour error"};
   std::vector<std::string> head_units{
       "", unit.empty() ? "" : fmt::format("[{}]", unit), "[s]", "", "[mm/min]", "[mm]"};
   for (const SourceFigure* figure : figures) {
@@ -145,11 +146,11 @@ std::string no_difference_text(const Study& study, std::span<const StudyRun> cur
   return text + not_run_text(first.lines_not_run);
 }
 
-std::string optimum_text(const Study& study, std::span<const StudyRun> runs) {
+std::string recommended_text(const Study& study, std::span<const StudyRun> runs) {
   if (none_possible(runs)) {
     return none_possible_text(runs);
   }
-  const StudyRun* best = fastest(runs, study.within);
+  const StudyRun* best = recommended(runs, study.within);
   if (best == nullptr) {
     const StudyRun& least = min_error(runs);
     return fmt::format("No value has a contour error within {} mm; the smallest is {:.4f} mm at {}.",
@@ -161,7 +162,7 @@ std::string optimum_text(const Study& study, std::span<const StudyRun> runs) {
       summary.cutting_contour_error == summary.max_contour_error) {
     where = fmt::format(" (line {}, at {:.3f} s)", summary.worst_place.line, summary.worst_place.time);
   }
-  return fmt::format("Fastest{}: {} with {}, {}contour error {:.4f} mm{}.{}",
+  return fmt::format("Recommended{}: {} with {}, {}contour error {:.4f} mm{}.{}",
                      study.within ? fmt::format(" within {} mm", *study.within) : "",
                      setting_text(study, *best), time_text(summary.cycle_time),
                      summary.actual ? "actual " : "", deciding_error(summary), where,
@@ -187,8 +188,8 @@ std::string ends_text(const Study& study, std::span<const StudyRun> curve) {
 
 std::string operations_text(const Study& study, const StudyRun& run) {
   TextTable table;
-  table.add(
-      {"line", "operation", "time", "share", "cutting", "mean feed", "contour error", "limited most by"});
+  table.add({"line", "operation", "time", "share", "cutting", "mean achieved feed", "contour error",
+             "limited most by"});
   table.add({"", "", "[s]", "[%]", "[mm]", "[mm/min]", "[mm]", ""});
   constexpr std::size_t longest_title = 40;
   for (std::size_t i = 0; i < run.operations.size(); ++i) {
@@ -267,10 +268,10 @@ std::string study_text(const LoadedProgram& program, const Study& study,
   const auto curves = study.curves();
   for (const auto& curve : curves) {
     const bool all_equal = makes_no_difference(curve, study.within);
-    const StudyRun* best = all_equal ? nullptr : fastest(curve, study.within);
-    text +=
-        fmt::format("\n{}\n{}{}\n", curve_title(study, curve.front()), curve_table(study, curve),
-                    wrapped(all_equal ? no_difference_text(study, curve) : optimum_text(study, curve), 0));
+    const StudyRun* best = all_equal ? nullptr : recommended(curve, study.within);
+    text += fmt::format(
+        "\n{}\n{}{}\n", curve_title(study, curve.front()), curve_table(study, curve),
+        wrapped(all_equal ? no_difference_text(study, curve) : recommended_text(study, curve), 0));
     if (const std::string ends = ends_text(study, curve); !ends.empty()) {
       text += wrapped(ends, 0) + "\n";
     }
@@ -290,16 +291,16 @@ std::string study_text(const LoadedProgram& program, const Study& study,
     }
   }
   if (curves.size() > 1) {
-    const StudyRun* best = fastest(study.runs, study.within);
+    const StudyRun* best = recommended(study.runs, study.within);
     const bool any_value = best != nullptr && std::ranges::any_of(curves, [&](const auto& curve) {
                              return best >= curve.data() && best < curve.data() + curve.size() &&
                                     makes_no_difference(curve, study.within);
                            });
-    text += best == nullptr ? fmt::format("\n{}\n", optimum_text(study, study.runs))
+    text += best == nullptr ? fmt::format("\n{}\n", recommended_text(study, study.runs))
             : any_value     ? fmt::format("\nOf all: {}, {}.\n", curve_title(study, *best),
                                           time_text(best->summary.cycle_time))
                             : fmt::format("\nOf all: {}. {}\n", curve_title(study, *best),
-                                          optimum_text(study, study.runs));
+                                          recommended_text(study, study.runs));
   }
   return text;
 }

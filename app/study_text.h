@@ -7,10 +7,9 @@
 
 namespace feedscope {
 
-/// Figures of a study for people: a table for every curve, with a star at the fastest run within the bound;
-/// then sentences on the fastest setting and the limits at both ends; on request the operations of the
-/// fastest run (of the run with the least error if none keeps the bound). `assignments`: those of --set,
-/// named in the heading.
+/// Figures of a study for people: a table for every curve, with a star at the recommended run of the curve;
+/// then sentences on it and on the limits at both ends; on request its operations (those of the run with the
+/// least error if none keeps the bound). `assignments`: those of --set, named in the heading.
 std::string study_text(const LoadedProgram& program, const Study& study,
                        const std::vector<std::string>& assignments);
 

@@ -164,15 +164,13 @@ StudyRequest request_of(const CompareOptions& options, const AskedProgram& asked
 }
 
 std::string text_of(const CompareOptions& options, const LoadedProgram& program, const Study& study) {
-  std::string text = headline_text(plain_runs(study), names_among(study), study.within);
-  if (!text.empty()) {
-    text = wrapped(text, 0) + "\n\n";
-  }
+  const std::string headline = headline_text(plain_runs(study), names_among(study), study.within);
+  std::string text = headline.empty() ? "" : wrapped(headline, 0) + "\n\n";
   if (!study.sweeps.empty()) {
     return text + study_text(program, study, options.set);
   }
   text += comparison_text(program, plain_runs(study), options.set);
-  if (study.within) {
+  if (study.within && headline.empty()) {
     text += "\n" + fastest_text(study);
   }
   for (const StudyRun& run : study.runs) {
@@ -361,8 +359,7 @@ Command add_compare_command(CLI::App& app) {
            "Study a setting: tolerance=0.005:0.1:log12, X.jerk=10:50:lin5, filters=\"2;3\"")
       ->type_name("KEY=RANGE");
   command
-      ->add_option("--within", options->within,
-                   "Maximum contour error in mm; marks the fastest run within it")
+      ->add_option("--within", options->within, "Maximum contour error in mm of the run that is recommended")
       ->type_name("MM");
   command->add_option("--operations", options->operations, "Numbers by operation: tool or comment")
       ->type_name("tool|comment");

@@ -2253,10 +2253,6 @@
         <translation>avance moy. avec rapides, %1</translation>
     </message>
     <message>
-        <source>pale dashes rapids</source>
-        <translation>en tirets pâles les rapides</translation>
-    </message>
-    <message>
         <source>pins the tool axis</source>
         <translation>en épingles l’axe de l’outil</translation>
     </message>

@@ -131,7 +131,7 @@ TEST_F(RenderCommand, DrawsThePlacesOfTheReport) {
   EXPECT_NE(picture(" --place 1"), picture(""));
   const std::string tolerances = " --tolerance 0.01 --tolerance 0.05 --model essid";
   EXPECT_NE(picture(tolerances + " --place 1"), picture(" --place 1")) << "runs are seen through the lens";
-  expect_wrong_use("corner.nc --place 99 --out a.png", "--place 99: the report of this run shows ");
+  expect_wrong_use("corner.nc --place 99 --out a.png", "--place 99: the run has ");
   expect_wrong_use("corner.nc --place 0 --out a.png", "--place");
   expect_wrong_use("corner.nc --place 1 --lens 2 --out a.png", "--lens has no effect with --place");
   expect_wrong_use("corner.nc --place 1 --view charts --out a.png", "--view has no effect with --place");

@@ -189,7 +189,6 @@ std::string place_file(const ReportInput& input, const SlowPlace& place, const Q
                        const PictureRequest& request) {
   ReportInput seen = at_place(without_other_runs(input), place);
   seen.texts = input.texts;  // the legend of a report is next to its picture
-  seen.texts.start.clear();  // rarely in sight
   ScenePicture picture(seen, seen.current, request.theme, request.transparent);
   const SceneScale scale{request.pixel_ratio, text_scale_of(request)};
   PictureSpec spec = spec_of(request, input.heading());

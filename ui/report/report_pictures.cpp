@@ -143,7 +143,9 @@ ReportInput at_place(ReportInput input, const SlowPlace& place) {
   const Run& run = input.run().shown->run;
   const bool is_rapid = run.trajectory->is_rapid(run.trajectory->state((place.from + place.to) / 2).element);
   input.view = view_of(run, place);
+  const std::string rapid = input.texts.rapid;  // only some places show any
   input.texts = without_line_names(std::move(input.texts));
+  input.texts.rapid = rapid;
   input.scene.stretch = {};
   input.annotations = annotations_between(input, place.from, place.to);
   input.scene.colouring = Colouring::feed;

@@ -3,6 +3,7 @@
 #include <QFont>
 #include <QLocale>
 #include <algorithm>
+#include <utility>
 
 #include "core/analysis/notes/refused_lines.h"
 #include "core/analysis/study/fastest_runs.h"
@@ -73,6 +74,13 @@ void RunTable::follow_figures() {
   }
   std::vector<const SourceFigure*> figures = source_figures_of(
       results, [](const auto& result) { return result != nullptr ? &result->run.summary : nullptr; });
+  const auto is_error = [](const SourceFigure* figure) { return figure->dimension == Dimension::error; };
+  const auto found = std::ranges::find_if(figures, is_error);
+  const SourceFigure* const error = found == figures.end() ? nullptr : *found;
+  if (std::exchange(error_, error) != error) {
+    emit headerDataChanged(Qt::Horizontal, contour_error, contour_error);
+  }
+  std::erase_if(figures, is_error);
   if (figures == figures_) {
     return;
   }
@@ -173,7 +181,7 @@ QString RunTable::figure(std::size_t row, int column) const {
     case mean_feed:
       return number_text(figures->mean_feed, Dimension::feed);
     case contour_error:
-      return number_text(figures->cutting_contour_error, Dimension::error);
+      return number_text(deciding_error(*figures), Dimension::error);
     default: {
       const SourceFigure& figure = *figures_[static_cast<std::size_t>(column - columns)];
       const std::optional<double> value = figure.of(*figures);
@@ -408,8 +416,9 @@ QVariant RunTable::headerData(int section, Qt::Orientation orientation, int role
   if (orientation != Qt::Horizontal || section < 0 || section >= columnCount()) {
     return {};
   }
-  if (section >= columns) {
-    const SourceFigure& figure = *figures_[static_cast<std::size_t>(section - columns)];
+  if (section >= columns || (section == contour_error && error_ != nullptr)) {
+    const SourceFigure& figure =
+        section == contour_error ? *error_ : *figures_[static_cast<std::size_t>(section - columns)];
     return role == Qt::DisplayRole   ? with_unit_of(core_text(std::string(figure.title)), figure.dimension)
            : role == Qt::ToolTipRole ? core_text(std::string(figure.meaning))
                                      : QVariant();

@@ -67,6 +67,7 @@ class RunTable : public QAbstractTableModel {
   RunList& runs_;
   TraceList* traces_ = nullptr;
   std::optional<std::size_t> taken_;          ///< row of the run to take, if there are others
+  const SourceFigure* error_ = nullptr;       ///< actual error, if any run has one: in `contour_error`
   std::vector<const SourceFigure*> figures_;  ///< after `columns`
 };
 

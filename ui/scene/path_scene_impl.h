@@ -51,10 +51,14 @@ class PathScene::Impl : public ScenePaths {
 
   const SceneColours& colours() const { return *look.colours; }
   Projection projection() const { return camera.projection(stage.width(), stage.height()); }
+  bool in_sight(const Vec3& point) const {
+    const Vec2 at = projection().to_display(frame.to_scene(point));
+    return (at.array() >= 0).all() && at.x() <= stage.width() && at.y() <= stage.height();
+  }
   Captions captions() const {
     LegendEntries entries = layers.entries();
     const auto path = shown_executed() != nullptr ? shown_executed() : shown_programmed();
-    entries.start = path != nullptr && path->size() > 0;
+    entries.start = path != nullptr && path->size() > 0 && in_sight(path->position(0));
     const double millimetre = projection().scale / frame.unit;
     constexpr double seen = 0.5;  // [pixels]: a line that is shifted by less is under that of the run
     for (LegendEntries::Overlay& overlay : entries.overlays) {

@@ -244,7 +244,8 @@ void StudyChart::draw_plot(QPainter& painter, const Layout& layout, bool is_erro
   const double most = is_error ? in_shown_unit(layout.max_error, Dimension::error) : layout.max_time;
   const double least = is_error ? 0 : layout.min_time;
   const double line = QFontMetricsF(font()).height();
-  constexpr int max_ticks = 6;
+  constexpr double rows = 1.5;  // of text between two ticks
+  const int max_ticks = std::clamp(static_cast<int>(plot.height() / (rows * line)), 2, 6);
   const Ticks ticks = is_error ? round_ticks(least, most, max_ticks) : clock_ticks(least, most, max_ticks);
   painter.setFont(sized(font(), text_size, true));
   painter.setPen(theme_colours(palette()).text);

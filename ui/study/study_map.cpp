@@ -116,6 +116,13 @@ double largest_error(const StudyMaps& study) {
   return largest;
 }
 
+/// Whether a line of the error `level` [mm] is drawn in any of the maps.
+bool is_crossed(const StudyMaps& study, double level) {
+  return std::ranges::any_of(study.maps, [&](const StudyMap& map) {
+    return !contour_pieces(map, study.x.values.size(), level).empty();
+  });
+}
+
 std::vector<double> error_levels(const StudyMaps& study) {
   constexpr int most_levels = 6;
   std::vector<double> levels;
@@ -123,7 +130,8 @@ std::vector<double> error_levels(const StudyMaps& study) {
        round_ticks(0, in_shown_unit(largest_error(study), Dimension::error), most_levels).values) {
     const double error = from_shown_unit(level, Dimension::error);
     constexpr double rounding = 1e-9;
-    if (level > 0 && !(study.within && std::abs(error - *study.within) <= rounding * error)) {
+    if (level > 0 && !(study.within && std::abs(error - *study.within) <= rounding * error) &&
+        is_crossed(study, error)) {
       levels.push_back(error);
     }
   }
@@ -520,7 +528,7 @@ void StudyMapPicture::paint_legend(QPainter& painter, const QRectF& area) const 
                        Dimension::error),
           line(false));
   }
-  if (study_.within) {
+  if (study_.within && is_crossed(study_, *study_.within)) {
     entry(MapTexts::tr("bound"), line(true));
   }
   const auto any = [&](const auto& is) {

@@ -4,7 +4,10 @@
 
 #include <QLocale>
 #include <algorithm>
+#include <functional>
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "core/analysis/explanation/explanation.h"
 #include "core/analysis/notes/refused_lines.h"
@@ -73,6 +76,20 @@ std::vector<CardPlace> card_places(const TimeReport& report) {
   return cards;
 }
 
+/// The places of the cards, then the others by loss.
+std::vector<CardPlace> ranked_places(const TimeReport& report) {
+  std::vector<CardPlace> places = card_places(report);
+  const auto cards = static_cast<std::ptrdiff_t>(places.size());
+  for (const SlowGroup& group : report.slow.groups) {
+    while (const auto another = unseen_place(group, places)) {
+      places.push_back(*another);
+    }
+  }
+  std::ranges::stable_sort(places.begin() + cards, places.end(), std::greater(),
+                           [](const CardPlace& one) { return one.place().loss; });
+  return places;
+}
+
 /// Number of the card that leads the group of `card`.
 std::size_t leading_card(const std::vector<CardPlace>& cards, const CardPlace& card) {
   const auto leader =
@@ -111,9 +128,10 @@ QString card_text(const ReportInput& input, const std::vector<CardPlace>& cards,
 /// Corners of several runs through the lens, other places directly.
 PlaceShot shot_of(const ReportInput& input, const CardPlace& card) {
   if (card.group->shape == PlaceShape::corner && input.runs.size() > 1) {
-    auto shot = std::make_shared<const LensShot>(lens_shot(input, card.place().slowest));
-    if (shot->lens.deviates) {
-      return {card.place(), shot};
+    LensShot shot = lens_shot(input, card.place().slowest);
+    if (shot.lens.deviates) {
+      shot.lens.line = card.place().line;  // a corner belongs to both of its lines: as in the texts
+      return {card.place(), std::make_shared<const LensShot>(std::move(shot))};
     }
   }
   return {card.place(), nullptr};
@@ -134,11 +152,7 @@ QString lines_key(const ReportInput& input) {
   if (input.run().shown->run.trajectory->blend_count() > 0) {
     parts.append(ReportWords::tr("dark edges corner blends"));
   }
-  const SampledPath& path = *input.run().shown->samples;
-  if (std::ranges::count(path.kinds, SpanKind::rapid) > 0) {
-    parts.append(ReportWords::tr("pale dashes rapids"));
-  }
-  if (!path.tool_axes.empty()) {
+  if (!input.run().shown->samples->tool_axes.empty()) {
     parts.append(ReportWords::tr("pins the tool axis"));
   }
   parts.append(ReportWords::tr("pink the place and a circle its slowest point"));
@@ -159,16 +173,17 @@ QString card_picture_of(const TimeReport& report, const SlowGroup& group) {
 }
 
 PlaceShot place_shot(const ReportInput& input, std::size_t number) {
-  const std::vector<CardPlace> cards =
-      is_refused(input.run().shown->run) ? std::vector<CardPlace>() : card_places(*input.time);
-  if (cards.empty()) {
-    throw InputError("--place: the run loses no time that a report would show");
+  const std::vector<CardPlace> places =
+      is_refused(input.run().shown->run) ? std::vector<CardPlace>() : ranked_places(*input.time);
+  if (places.empty()) {
+    throw InputError(
+        "--place: the run loses no time to its programmed feed, so that there is no place to draw");
   }
-  if (number < 1 || number > cards.size()) {
-    throw InputError(fmt::format("--place {}: the report of this run shows {} places; give 1 to {}", number,
-                                 cards.size(), cards.size()));
+  if (number < 1 || number > places.size()) {
+    throw InputError(fmt::format("--place {}: the run has {} places that lose time; give 1 to {}", number,
+                                 places.size(), places.size()));
   }
-  return shot_of(input, cards[number - 1]);
+  return shot_of(input, places[number - 1]);
 }
 
 QString cards_block(const ReportInput& input, ReportPictures& pictures) {

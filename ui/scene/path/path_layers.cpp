@@ -65,6 +65,13 @@ Rgb mixed(const Rgb& a, const Rgb& b, double share_of_b) {
   return mix;
 }
 
+/// Whether any part of the line from `p` to `q` is within a rectangle.
+bool meets_line(const ScreenRectangle& rectangle, const Vec2& p, const Vec2& q) {
+  const Vec2 across(q.y() - p.y(), p.x() - q.x());
+  return rectangle.meets({p.cwiseMin(q), p.cwiseMax(q)}) &&
+         std::abs(across.dot(rectangle.centre() - p)) <= across.cwiseAbs().dot(rectangle.size()) / 2;
+}
+
 }  // namespace
 
 template <class Wanted>
@@ -159,6 +166,17 @@ bool PathLayers::shows_rapids(const Projection& view, double scale) const {
   // Close up only a part of them is visible.
   const double part = std::min(1.0, window.minCoeff() / view.scale);
   return look_.all_rapids || drawn * part * part <= most_covered * window.x() * window.y();
+}
+
+bool PathLayers::are_rapids_within(const SceneFrame& frame, const Projection& view) const {
+  const ScreenRectangle window{Vec2::Zero(), 2 * view.middle};
+  const auto place = [&](std::size_t i) { return view.to_display(frame.to_scene(rapids_of_->position(i))); };
+  for (std::size_t i = 0; i + 1 < rapids_of_->size(); ++i) {
+    if (rapids_of_->kinds[i] == SpanKind::rapid && meets_line(window, place(i), place(i + 1))) {
+      return true;
+    }
+  }
+  return false;
 }
 
 void PathLayers::show_programmed(std::shared_ptr<const SampledPath> programmed) {
@@ -283,7 +301,7 @@ void PathLayers::colour_layers() {
 
 LegendEntries PathLayers::entries() const {
   LegendEntries shown = entries_;
-  shown.rapid = rapids_seen_;
+  shown.rapid = rapids_in_sight_;
   shown.programmed =
       shown.programmed && std::ranges::any_of(layers_, [](const Layer& layer) {
         return layer.role == Role::programmed && std::ranges::any_of(layer.actors, [](const auto& actor) {
@@ -508,7 +526,8 @@ void PathLayers::place(const SceneFrame& frame, const Projection& view, double s
   const double thinner = std::min(1.0, comfortable / std::max(covered(cut_width, cut_width), 1e-9));
   entries_.blend = blend_length_ > 0 && edges;
   entries_.curve = curve_length_ > 0 && edges;
-  rapids_seen_ = shows_rapids(view, scale);
+  const bool rapids = shows_rapids(view, scale);
+  rapids_in_sight_ = rapids && are_rapids_within(frame, view);
   // Between passes that nearly touch it would only grey the colours.
   constexpr double dense = 0.5;
   const bool programmed = thinner > dense;
@@ -519,7 +538,7 @@ void PathLayers::place(const SceneFrame& frame, const Projection& view, double s
                           (layer.role == Role::blend && layer.discs);
     const bool shown =
         (!emphasis || (edges && !moving)) && (layer.role != Role::range || range_) &&
-        (layer.role != Role::overlay || overlays_shown()) && (layer.role != Role::rapid || rapids_seen_) &&
+        (layer.role != Role::overlay || overlays_shown()) && (layer.role != Role::rapid || rapids) &&
         (layer.role != Role::programmed || programmed) &&
         (layer.role != Role::difference ||
          (!moving && needs_reference(look_.colouring) && key_.has_scale())) &&

@@ -122,6 +122,8 @@ class PathLayers {
   void add(Role role, const DrawnPath* path, bool discs = false, const Rgb& colour = {});
   void show_rapids(const std::shared_ptr<const SampledPath>& path, const SceneFrame& frame);
   void measure_rapids(const SampledPath& path, const SceneFrame& frame);
+  /// Whether any part of the rapids is within the window.
+  bool are_rapids_within(const SceneFrame& frame, const Projection& view) const;
   void show_programmed(std::shared_ptr<const SampledPath> programmed);
   void show_overlays(std::vector<OverlayRun> overlays);
   void show_executed(std::shared_ptr<const SampledPath> executed);
@@ -169,7 +171,7 @@ class PathLayers {
   double blend_length_ = 0;  ///< [mm]
   double curve_length_ = 0;  ///< of cut_length_ [mm]
   std::size_t blend_count_ = 0;
-  bool rapids_seen_ = false;  ///< in the last place()
+  bool rapids_in_sight_ = false;  ///< in the last place()
 };
 
 }  // namespace feedscope::ui
