@@ -43,7 +43,7 @@ std::string change_text(const Remedy& remedy, const Setup& setup);
 /// Most is lost in corners, to ...".
 std::string conclusion(const Run& run, const TimeReport& report) {
   const TimeUse& use = report.use;
-  const std::string refused = refused_note(run.input.lines_not_run).english();
+  const std::string refused = refused_note(run.lines_not_run).english();
   if (is_refused(run)) {
     return wrapped(fmt::format("No feed motion is run: there is no cycle time to explain. {}", refused), 0) +
            "\n";

@@ -89,7 +89,7 @@ void note_remarks(std::span<const RemarkedSetup> runs) {
 void tell_of_run(const Run& run, const RunOptions& asked, const ReadOptions& reading) {
   if (!asked.tolerance.empty()) {
     note_unused_tolerances({asked.tolerance}, {run.setup});
-    note_replaced_tolerance(*run.input.toolpath, {run.setup});
+    note_replaced_tolerance(*run.path, {run.setup});
   }
   note_unused_reading(*run.input.program, reading);
   const RemarkedSetup remarked{&run.setup, remarks(run)};
@@ -99,8 +99,8 @@ void tell_of_run(const Run& run, const RunOptions& asked, const ReadOptions& rea
 
 void print_messages(const Run& run) {
   print_diagnostics(*run.input.program);
-  print_diagnostics(run.input.lines_not_run, *run.input.program);
-  print_diagnostics(run.input.toolpath->machine_faults, *run.input.program);
+  print_diagnostics(run.lines_not_run, *run.input.program);
+  print_diagnostics(run.path.faults, *run.input.program);
 }
 
 int exit_code_of(const Run& run) {

@@ -131,7 +131,7 @@ int tell_of_shown_runs(const ui::ReportInput& input, const std::vector<std::stri
   for (const ui::ReportRun& shown : input.runs) {
     const Run& run = shown.shown->run;
     if (machines.insert(run.setup.machine.id).second) {
-      print_diagnostics(run.input.toolpath->machine_faults, program);
+      print_diagnostics(run.path.faults, program);
     }
     code = std::max(code, exit_code_of(run));
   }

@@ -15,7 +15,7 @@
 #include "core/analysis/run/program_facts.h"
 #include "core/base/units.h"
 #include "core/export/export.h"
-#include "core/toolpath/machine_toolpath.h"
+#include "core/toolpath/machine_path.h"
 
 namespace feedscope {
 namespace {
@@ -25,18 +25,23 @@ struct CheckOptions : ProgramOptions {
   std::string machine;  ///< id or file; "": none
 };
 
+struct CheckedProgram {
+  LoadedProgram loaded;
+  MachinePath path;
+};
+
 /// Reads the program for the machine, if one is given: its rotary axes turn, and the path includes the moves
 /// that its positions add.
-LoadedProgram load(const CheckOptions& options, const AskedProgram& asked, Progress* progress) {
+CheckedProgram load(const CheckOptions& options, const AskedProgram& asked, Progress* progress) {
   if (options.machine.empty()) {
-    return load_program(asked.source, progress, asked.reading);
+    LoadedProgram loaded = load_program(asked.source, progress, asked.reading);
+    return {loaded, {loaded.toolpath, {}}};
   }
   SetupRequest request;
   request.machine = options.machine;
   const Setup setup = make_setup(request);
   LoadedProgram loaded = load_program(asked.source, progress, reading_on(asked.reading, setup.machine));
-  loaded.toolpath = on_machine(loaded.toolpath, setup.machine, setup.settings, progress);
-  return loaded;
+  return {loaded, on_machine(loaded.toolpath, setup.machine, setup.settings, progress)};
 }
 
 /// Rounds a zero of either sign to 0.
@@ -139,26 +144,26 @@ int check(const CheckOptions& options) {
   for (const std::string& input : {options.file, asked.file}) {
     check_outputs(input, {options.json});
   }
-  LoadedProgram loaded;
+  CheckedProgram checked;
   {
     Watch watch;
-    loaded = load(options, asked, watch.stage("reading"));
+    checked = load(options, asked, watch.stage("reading"));
   }
-  const ProgramFacts facts = facts_of(*loaded.program, *loaded.toolpath);
+  const auto& [loaded, path] = checked;
+  const ProgramFacts facts = facts_of(*loaded.program, *path);
   note_unused_reading(*loaded.program, asked.reading);
   print_diagnostics(*loaded.program, DiagnosticStyle::with_source);
-  print_diagnostics(loaded.toolpath->machine_faults, *loaded.program);
+  print_diagnostics(path.faults, *loaded.program);
   if (!options.json.empty()) {
     OutputFile json(options.json);
-    json.stream() << check_json(loaded);
+    json.stream() << check_json(loaded, path);
     json.commit();
   }
   if (options.json != "-") {
     fmt::print("{}\n{}", asked.source->name(), facts_text(*loaded.program, facts));
   }
-  return has_errors(loaded.program->diagnostics) || has_errors(loaded.toolpath->machine_faults)
-             ? exit_code::program_errors
-             : exit_code::done;
+  return has_errors(loaded.program->diagnostics) || has_errors(path.faults) ? exit_code::program_errors
+                                                                            : exit_code::done;
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ int explain(const ExplainOptions& options) {
     run = simulate_run(program, setup, watch.stage("simulating"));
     report = time_report(run, split, watch.stage("trying changes"));
     if (json != nullptr) {
-      *json << explanation_json(program, figures_of(run), report);
+      *json << explanation_json(run, figures_of(run), report);
     }
     files.commit();
   }

@@ -65,8 +65,7 @@ class Results {
     }
   }
 
-  /// `program`: as it was read; the machine of `run` may have completed it.
-  void write(const LoadedProgram& program, const Run& run, double step, Watch& watch) {
+  void write(const Run& run, double step, Watch& watch) {
     if (csv_) {
       write_csv(*csv_, *run.trajectory, step, watch.stage("writing"), run.sources);
     }
@@ -76,7 +75,7 @@ class Results {
       *contour_ << contour_places_csv(*contour);
     }
     if (json_) {
-      *json_ << simulation_json(program, figures_of(run), contour ? &*contour : nullptr);
+      *json_ << simulation_json(run, figures_of(run), contour ? &*contour : nullptr);
     }
     if (blends_) {
       write_blends(*blends_, *run.trajectory, watch.stage("writing"));
@@ -115,7 +114,7 @@ int simulate(const SimulateOptions& options) {
     const LoadedProgram program =
         load_program(asked.source, watch.stage("reading"), reading_on(asked.reading, setup.machine));
     run = simulate_run(program, setup, watch.stage("simulating"));
-    results.write(program, run, step, watch);
+    results.write(run, step, watch);
   }
   tell_of_run(run, options.run, asked.reading);
   if (!results.to_standard_output()) {

@@ -148,13 +148,13 @@ int show_trace(const TraceOptions& options) {
     trace = read_trace(options.trace, columns, watch.stage("trace"));
     if (program) {
       run = program->run(watch);
-      const ProgrammedCourse course(*run->input.toolpath, {trace.has(0), trace.has(1), trace.has(2)});
+      const ProgrammedCourse course(*run->path, {trace.has(0), trace.has(1), trace.has(2)});
       Progress* const matching = watch.stage("matching");
       const double deviation = deviation_of(*run->trajectory, course, 1e-3, matching);
       found = find_on_program(trace, course, deviation, run->input.program->source.get(), matching);
       agreement = agreement_of(*found, course, *run, watch.stage("comparing"));
       add_held_remarks(*found, course, agreement->simulated);
-      add_feed_remark(*found, *agreement, course, *run->input.toolpath);
+      add_feed_remark(*found, *agreement, course, *run->path);
     }
   }
   print_diagnostics(trace.notes, options.trace);

@@ -235,11 +235,11 @@ PYBIND11_MODULE(_native, module) {
   });
   module.attr("version") = FEEDSCOPE_VERSION;
   py::class_<LoadedProgram>(module, "Program").def("json", [](const LoadedProgram& program) {
-    return check_json(program);
+    return check_json(program, {program.toolpath, {}});
   });
   py::class_<Setup>(module, "Setup");
   py::class_<Run>(module, "Run")
-      .def("json", [](const Run& run) { return simulation_json(run.input, figures_of(run)); })
+      .def("json", [](const Run& run) { return simulation_json(run, figures_of(run)); })
       .def("times", &times_of)
       .def("samples", &samples)
       .def("pieces", &pieces);

@@ -128,26 +128,28 @@ Json changes_json(const TimeReport& report, const Setup& setup) {
 
 }  // namespace
 
-std::string explanation_json(const LoadedProgram& program, const ComparedRun& run, const TimeReport& report) {
+std::string explanation_json(const Run& run, const ComparedRun& figures, const TimeReport& report) {
   Json json = with_format("explanation");
-  json.update(run_head_json(program, run));
-  const auto figure = [&](double value) { return run.refused ? Json() : finite(value); };
-  const auto table = [&](const auto& make, const auto& of) { return run.refused ? Json::array() : make(of); };
+  json.update(run_head_json(run, figures));
+  const auto figure = [&](double value) { return figures.refused ? Json() : finite(value); };
+  const auto table = [&](const auto& make, const auto& of) {
+    return figures.refused ? Json::array() : make(of);
+  };
   json["lost_s"] = figure(report.use.lost());
   json["saved_by_path_s"] = figure(report.use.saved_by_path);
   json["time_by_kind"] = table(kinds_json, report.use);
   json["causes"] = table(causes_json, report.use);
-  json["operations_by"] = run.refused || report.use.operations.empty() ? Json()
-                          : report.use.split == OperationSplit::tool   ? Json("tool")
-                                                                       : Json("comment");
+  json["operations_by"] = figures.refused || report.use.operations.empty() ? Json()
+                          : report.use.split == OperationSplit::tool       ? Json("tool")
+                                                                           : Json("comment");
   json["operations"] = table(operations_json, report.use);
   json["slow_groups"] = table(groups_json, report.slow);
   json["slow_other_s"] = figure(report.slow.other);
-  json["changes"] = run.refused ? Json::array() : changes_json(report, run.setup);
-  json["changes_together"] = report.changes.together && !run.refused
+  json["changes"] = figures.refused ? Json::array() : changes_json(report, run.setup);
+  json["changes_together"] = report.changes.together && !figures.refused
                                  ? change_json(*report.changes.together, run.setup, report.use.cycle_time)
                                  : Json();
-  json.update(run_end_json(program, run));
+  json.update(run_end_json(run, figures));
   return text_of(json);
 }
 

@@ -30,15 +30,15 @@ void write_blends(std::ostream& out, const Trajectory& trajectory, const Progres
 // JSON, indented, newline at the end; every key is listed in core/export/README.md. Files of two equal
 // commands differ only in `elapsed`.
 
-/// A run; with a contour report also its places and histogram.
-std::string simulation_json(const LoadedProgram& program, const ComparedRun& run,
+/// A run with its figures_of(); with a contour report also its places and histogram.
+std::string simulation_json(const Run& run, const ComparedRun& figures,
                             const ContourReport* contour = nullptr);
-/// A run, the breakdown of its time and effective changes.
-std::string explanation_json(const LoadedProgram& program, const ComparedRun& run, const TimeReport& report);
+/// A run with its figures_of(), the breakdown of its time and effective changes.
+std::string explanation_json(const Run& run, const ComparedRun& figures, const TimeReport& report);
 /// Several runs of a program.
 std::string comparison_json(const LoadedProgram& program, std::span<const ComparedRun> runs);
-/// Results of `check`.
-std::string check_json(const LoadedProgram& program);
+/// Results of `check`; `path`: of the program, on the machine that is asked for.
+std::string check_json(const LoadedProgram& program, const MachinePath& path);
 
 /// Two programs on one setup, matched by their paths.
 std::string program_difference_json(const Run& old, const Run& now, const ProgramDifference& difference);

@@ -4,7 +4,6 @@
 #include "core/analysis/contour/contour_histogram.h"
 #include "core/analysis/contour/contour_report.h"
 #include "core/analysis/notes/not_counted.h"
-#include "core/analysis/notes/refused_lines.h"
 #include "core/analysis/notes/slower_tolerance.h"
 #include "core/analysis/notes/tolerance_effect.h"
 #include "core/analysis/run/program_facts.h"
@@ -353,38 +352,33 @@ Json contour_json(const ContourReport& report) {
             {"side", histogram_json(report, ContourBins::sides)}}}};
 }
 
-/// Messages of the reader, then faults of the machine that the path is for.
-std::vector<Diagnostic> messages_of(const LoadedProgram& program) {
-  std::vector<Diagnostic> all = program.program->diagnostics;
-  const std::vector<Diagnostic>& faults = program.toolpath->machine_faults;
-  all.insert(all.end(), faults.begin(), faults.end());
-  return all;
+/// Messages of the reader, then `others`.
+Json messages_json(const Program& program, const std::vector<Diagnostic>& others) {
+  std::vector<Diagnostic> all = program.diagnostics;
+  all.insert(all.end(), others.begin(), others.end());
+  return diagnostics(all);
 }
 
 }  // namespace
 
-Json run_head_json(const LoadedProgram& program, const ComparedRun& run) {
-  Json json{{"program", program_json(*program.program, *program.toolpath)}};
-  json.update(run_json(run, !run.refused));
+Json run_head_json(const Run& run, const ComparedRun& figures) {
+  Json json{{"program", program_json(*run.input.program, *run.input.toolpath)}};
+  json.update(run_json(figures, !figures.refused));
   return json;
 }
 
-Json run_end_json(const LoadedProgram& program, const ComparedRun& run) {
-  std::vector<Diagnostic> all = messages_of(program);
-  const std::vector<Diagnostic> refused = refused_lines(program, run.setup);
-  all.insert(all.end(), refused.begin(), refused.end());
-  return {{"diagnostics", diagnostics(all)},
-          {"elapsed", {{"read_s", program.read_time}, {"simulate_s", run.simulate_time}}}};
+Json run_end_json(const Run& run, const ComparedRun& figures) {
+  return {{"diagnostics", messages_json(*run.input.program, run.lines_not_run)},
+          {"elapsed", {{"read_s", run.input.read_time}, {"simulate_s", figures.simulate_time}}}};
 }
 
-std::string simulation_json(const LoadedProgram& program, const ComparedRun& run,
-                            const ContourReport* contour) {
+std::string simulation_json(const Run& run, const ComparedRun& figures, const ContourReport* contour) {
   Json json = with_format("simulation");
-  json.update(run_head_json(program, run));
+  json.update(run_head_json(run, figures));
   if (contour != nullptr) {
     json.update(contour_json(*contour));
   }
-  json.update(run_end_json(program, run));
+  json.update(run_end_json(run, figures));
   return text_of(json);
 }
 
@@ -516,10 +510,10 @@ std::string study_json(const LoadedProgram& program, const Study& study) {
   return text_of(json);
 }
 
-std::string check_json(const LoadedProgram& program) {
+std::string check_json(const LoadedProgram& program, const MachinePath& path) {
   Json json = with_format("check");
-  json["program"] = program_json(*program.program, *program.toolpath);
-  json["diagnostics"] = diagnostics(messages_of(program));
+  json["program"] = program_json(*program.program, *path);
+  json["diagnostics"] = messages_json(*program.program, path.faults);
   json["elapsed"] = {{"read_s", program.read_time}};
   return text_of(json);
 }

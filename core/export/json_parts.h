@@ -12,7 +12,7 @@ namespace feedscope {
 using Json = nlohmann::ordered_json;
 
 struct ComparedRun;
-struct LoadedProgram;
+struct Run;
 
 /// Beginning of a file of this kind. The version increases when a key is removed or changes its meaning.
 Json with_format(const char* kind);
@@ -25,8 +25,8 @@ Json drives_json(const Machine& machine);
 Json load_json(const ComparedRun& run);
 /// Beginning of files about one run, `program` and the figures of the run, and their end: `diagnostics` and
 /// `elapsed`.
-Json run_head_json(const LoadedProgram& program, const ComparedRun& run);
-Json run_end_json(const LoadedProgram& program, const ComparedRun& run);
+Json run_head_json(const Run& run, const ComparedRun& figures);
+Json run_end_json(const Run& run, const ComparedRun& figures);
 /// Indented text with a newline at the end; invalid UTF-8 is shown with replacement characters.
 std::string text_of(const Json& json);
 

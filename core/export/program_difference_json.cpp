@@ -16,8 +16,8 @@ Json program_json(const Run& run) {
   const auto figure = [refused = is_refused(run)](double value) { return refused ? Json() : finite(value); };
   return {{"file", run.input.program->source->name()},
           {"lines", run.input.program->source->line_count()},
-          {"segments", run.input.toolpath->segments.size()},
-          {"path_mm", finite(run.input.toolpath->length())},
+          {"segments", run.path->segments.size()},
+          {"path_mm", finite(run.path->length())},
           {"cycle_time_s", figure(run.summary.cycle_time)},
           {"programmed_time_s", figure(run.summary.programmed_time)},
           {"max_contour_error_mm", figure(run.summary.max_contour_error)}};

@@ -29,9 +29,8 @@ TraceCase::TraceCase(std::shared_ptr<const Trace> trace, const LoadedProgram& pr
                      Progress* progress)
     : trace_(std::move(trace)), program_(program) {
   const Run run = simulate_motion(program, start, progress);
-  const auto as_read = start.model->read(program.toolpath, start.settings, progress).path;
   course_ = std::make_shared<const ProgrammedCourse>(
-      *as_read, SeenAxes{trace_->has(0), trace_->has(1), trace_->has(2)});
+      *run.path, SeenAxes{trace_->has(0), trace_->has(1), trace_->has(2)});
   found_ = find_on_program(*trace_, *course_,
                            freedom / 2 + deviation_of(*run.trajectory, *course_, coarsest_step, progress),
                            program.program->source.get(), progress);
@@ -52,8 +51,8 @@ TraceCase::TraceCase(std::shared_ptr<const Trace> trace, const LoadedProgram& pr
   leave_out_holds(law_of(*run.trajectory, progress));
   try {
     const Agreement agreement = agreement_of(found_, *course_, run, progress);
-    feed_share_ = feedscope::feed_share(agreement, *course_, *run.input.toolpath);
-    add_feed_remark(found_, agreement, *course_, *run.input.toolpath);
+    feed_share_ = feedscope::feed_share(agreement, *course_, *run.path);
+    add_feed_remark(found_, agreement, *course_, *run.path);
   } catch (const InputError&) {
     // The initial machine does not complete the path: the search continues.
   }

@@ -13,7 +13,6 @@
 #include "core/drives/stop_waits.h"
 #include "core/machine/contour_tolerance.h"
 #include "core/models/explanation/explainer.h"
-#include "core/toolpath/machine_toolpath.h"
 #include "core/trajectory/program_blocks.h"
 
 namespace feedscope {
@@ -46,30 +45,33 @@ std::string axis_key(char axis, const SettingSpec& spec) {
 
 }  // namespace
 
-Trajectory ControlModel::simulate(std::shared_ptr<const Toolpath> toolpath, const Machine& machine,
-                                  const Settings& settings, Progress* progress) const {
-  const std::shared_ptr<const Toolpath> run =
-      on_machine(read(std::move(toolpath), settings, progress).path, machine, settings, progress);
-  check_axes(*run, machine);
-  Trajectory motion = on_merged(run, settings, [&](const std::shared_ptr<const Toolpath>& path) {
-    return do_simulate(path, machine, settings, progress);
+Trajectory ControlModel::simulate(const MachinePath& path, const Machine& machine, const Settings& settings,
+                                  Progress* progress) const {
+  check_axes(*path, machine);
+  Trajectory motion = on_merged(path.toolpath, settings, [&](const std::shared_ptr<const Toolpath>& merged) {
+    return do_simulate(merged, machine, settings, progress);
   });
   const double window = settings.has(exact_stop_window_key) ? settings.number(exact_stop_window_key) : 0;
   return window > 0 ? with_stop_waits(std::move(motion), machine, units::from_um(window), progress) : motion;
 }
 
-Trajectory ControlModel::simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
-                                  Progress* progress) const {
-  return simulate(std::make_shared<const Toolpath>(toolpath), machine, settings, progress);
+Trajectory ControlModel::simulate(std::shared_ptr<const Toolpath> programmed, const Machine& machine,
+                                  const Settings& settings, Progress* progress) const {
+  return simulate(
+      on_machine(read(std::move(programmed), settings, progress).path, machine, settings, progress), machine,
+      settings, progress);
 }
 
-Trajectory ControlModel::lay_path(std::shared_ptr<const Toolpath> toolpath, const Machine& machine,
+Trajectory ControlModel::simulate(const Toolpath& programmed, const Machine& machine,
                                   const Settings& settings, Progress* progress) const {
-  const std::shared_ptr<const Toolpath> run =
-      on_machine(read(std::move(toolpath), settings, progress).path, machine, settings, progress);
-  check_axes(*run, machine);
-  return on_merged(run, settings, [&](const std::shared_ptr<const Toolpath>& path) {
-    return do_lay_path(path, machine, settings, progress);
+  return simulate(std::make_shared<const Toolpath>(programmed), machine, settings, progress);
+}
+
+Trajectory ControlModel::lay_path(const MachinePath& path, const Machine& machine, const Settings& settings,
+                                  Progress* progress) const {
+  check_axes(*path, machine);
+  return on_merged(path.toolpath, settings, [&](const std::shared_ptr<const Toolpath>& merged) {
+    return do_lay_path(merged, machine, settings, progress);
   });
 }
 

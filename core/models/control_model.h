@@ -15,7 +15,7 @@
 #include "core/machine/machine.h"
 #include "core/models/explanation/reason.h"
 #include "core/models/guarantees.h"
-#include "core/toolpath/toolpath.h"
+#include "core/toolpath/machine_path.h"
 #include "core/trajectory/trajectory.h"
 
 namespace feedscope {
@@ -33,7 +33,7 @@ struct ModelInfo {
   bool jumps_in_corners = false;
 };
 
-/// A program as read by a control.
+/// A program as a control reads it.
 struct ControlReading {
   std::shared_ptr<const Toolpath> path;
   std::vector<Diagnostic> refused;  ///< lines that the control does not run, as notes of code "refused"
@@ -51,24 +51,27 @@ class ControlModel {
   virtual std::vector<const char*> left_out(const Toolpath& /*path*/, const Settings& /*settings*/) const {
     return {};
   }
-  /// Path of the text of `toolpath` in the control's own reading, where it has one, and the lines that it
-  /// refuses. Otherwise `toolpath` unchanged. Throws Cancelled when stopped.
-  ControlReading read(std::shared_ptr<const Toolpath> toolpath, const Settings& settings,
+  /// Path of the text of `programmed` in the control's own reading, where it has one, and the lines that it
+  /// refuses. Otherwise `programmed` unchanged. Throws Cancelled when stopped.
+  ControlReading read(std::shared_ptr<const Toolpath> programmed, const Settings& settings,
                       const Progress* progress = nullptr) const {
-    return toolpath->may_be_read() ? do_read(toolpath, settings, progress)
-                                   : ControlReading{std::move(toolpath), {}};
+    return programmed->source ? do_read(programmed, settings, progress)
+                              : ControlReading{std::move(programmed), {}};
   }
-  /// Deterministic. `settings` as from complete_settings(); the trajectory shares `toolpath`, or the path
-  /// made from it by read() and on_machine(). Throws InputError if a moving axis lacks a limit, Cancelled
-  /// when stopped.
-  Trajectory simulate(std::shared_ptr<const Toolpath> toolpath, const Machine& machine,
+  /// Deterministic. `path`: made by on_machine() for this machine and these settings, as from
+  /// complete_settings(); the trajectory shares it. Throws InputError if a moving axis lacks a limit,
+  /// Cancelled when stopped.
+  Trajectory simulate(const MachinePath& path, const Machine& machine, const Settings& settings,
+                      Progress* progress = nullptr) const;
+  /// The same for a programmed path, by read() and on_machine().
+  Trajectory simulate(std::shared_ptr<const Toolpath> programmed, const Machine& machine,
                       const Settings& settings, Progress* progress = nullptr) const;
-  /// The same for a copy of `toolpath`.
-  Trajectory simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
+  /// The same for a copy of `programmed`.
+  Trajectory simulate(const Toolpath& programmed, const Machine& machine, const Settings& settings,
                       Progress* progress = nullptr) const;
   /// The path of simulate(), including dwells; its motion may be incomplete.
-  Trajectory lay_path(std::shared_ptr<const Toolpath> toolpath, const Machine& machine,
-                      const Settings& settings, Progress* progress = nullptr) const;
+  Trajectory lay_path(const MachinePath& path, const Machine& machine, const Settings& settings,
+                      Progress* progress = nullptr) const;
   /// Why a motion of this model is not faster at `state`, one of its states, with the numbers of the limit
   /// there. Cost: a few elements around the place, up to some thousand on ramps over many short blocks.
   Explanation explain(const SimulatedMotion& motion, const State& state) const;

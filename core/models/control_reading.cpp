@@ -61,7 +61,6 @@ ControlReading reading_of(Program read, const Toolpath& as_written, bool single_
   reading.refused = std::move(read.diagnostics);
   Toolpath path = take_toolpath(read);
   path.source = as_written.source;
-  path.read_by_control = true;
   path.path_controls = as_written.path_controls;
   path.spindles = as_written.spindles;
   path.other_axes = as_written.other_axes;

@@ -22,7 +22,7 @@ void RotaryNotes::add(std::uint32_t line, MessageCode code, Message what, Messag
   note.code = std::string(code.text());
   note.message = std::move(what);
   note.hint = std::move(hint);
-  path_.machine_faults.push_back(std::move(note));
+  faults_.push_back(std::move(note));
 }
 
 void RotaryNotes::add_unclear(std::uint32_t line, std::span<const RotaryPlaces> found,
@@ -61,7 +61,7 @@ void RotaryNotes::add_singular(const SegmentTurn& turn, const Segment& segment, 
   if (!held) {
     return;
   }
-  std::vector<SingularPlace>& places = path_.singular_places;
+  std::vector<SingularPlace>& places = singular_places_;
   const bool goes_on = !places.empty() && last_singular_ + 1 == turn.segment;
   last_singular_ = turn.segment;
   if (!goes_on) {
@@ -80,7 +80,7 @@ void RotaryNotes::add_singular(const SegmentTurn& turn, const Segment& segment, 
 
 void RotaryNotes::report_singular() {
   std::vector<const SingularPlace*> slowest;
-  for (const SingularPlace& place : path_.singular_places) {
+  for (const SingularPlace& place : singular_places_) {
     slowest.push_back(&place);
   }
   const std::size_t count = std::min(most_notes, slowest.size());
@@ -98,7 +98,7 @@ void RotaryNotes::report_singular() {
         message(NC_("core",
                     "lines {} to {}, one of {} such places; tilting the part by some degrees in the clamping "
                     "takes the path away from it"),
-                place->first_line, place->last_line, path_.singular_places.size()));
+                place->first_line, place->last_line, singular_places_.size()));
   }
 }
 

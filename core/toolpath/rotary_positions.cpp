@@ -45,16 +45,17 @@ PartOnMachine part_on_machine(const Machine& machine, const Settings& settings) 
 }
 
 RotaryPositions::RotaryPositions(const Machine& machine, const KinematicChain& chain,
-                                 const std::vector<RotaryMove>& moves, Toolpath& path, RotaryNotes& notes)
-    : machine_(machine), chain_(chain), path_(path), notes_(notes) {
+                                 const std::vector<RotaryMove>& moves, PartOnMachine& part,
+                                 std::vector<Diagnostic>& faults, RotaryNotes& notes)
+    : machine_(machine), chain_(chain), part_(part), faults_(faults), notes_(notes) {
   for (const std::size_t axis : chain.rotary()) {
     axes_.push_back(machine.kinematics.find(chain.axes()[axis].name));
   }
-  if (path.part.turn.isIdentity()) {
+  if (part.turn.isIdentity()) {
     return;
   }
   if (!says_directions(moves)) {
-    path.part.turn.setIdentity();
+    part.turn.setIdentity();
     fault(moves.front().line, Severity::warning, "rotary-position",
           NC_("core",
               "the part stays as programmed: the program sends the rotary axes of one machine to angles"),
@@ -65,18 +66,17 @@ RotaryPositions::RotaryPositions(const Machine& machine, const KinematicChain& c
   }
   RotaryMove first;
   first.line = moves.front().line;
-  at_ = angles_for(first, path.part.turn * tool_direction(chain_, at_));
+  at_ = angles_for(first, part.turn * tool_direction(chain_, at_));
 }
 
 void RotaryPositions::follow(const RotaryMove& move) {
   if (move.direction) {
-    at_ = angles_for(move, path_.part.turn * *move.direction);
-    posted_ = path_.part.turn.isIdentity() ? at_ : nearest(*move.direction, posted_);
+    at_ = angles_for(move, part_.turn * *move.direction);
+    posted_ = part_.turn.isIdentity() ? at_ : nearest(*move.direction, posted_);
     return;
   }
   posted_ = asked_by(move);
-  at_ = path_.part.turn.isIdentity() ? posted_
-                                     : angles_for(move, path_.part.turn * tool_direction(chain_, posted_));
+  at_ = part_.turn.isIdentity() ? posted_ : angles_for(move, part_.turn * tool_direction(chain_, posted_));
 }
 
 std::array<double, 3> RotaryPositions::asked_by(const RotaryMove& move) {
@@ -84,8 +84,8 @@ std::array<double, 3> RotaryPositions::asked_by(const RotaryMove& move) {
   for (const RotaryAxis* axis : axes_) {
     const std::size_t place = rotary_place(axis->name);
     to[place] = move.to[place].value_or(to[place]);
-    if (path_.part.turn.isIdentity() && (to[place] < axis->minimum.value_or(to[place]) - reached ||
-                                         to[place] > axis->maximum.value_or(to[place]) + reached)) {
+    if (part_.turn.isIdentity() && (to[place] < axis->minimum.value_or(to[place]) - reached ||
+                                    to[place] > axis->maximum.value_or(to[place]) + reached)) {
       fault(move.line, Severity::error, "rotary-travel",
             message(NC_("core", "axis {} goes to {:g} degrees, beyond its travel from {:g} to {:g}"),
                     axis->name, units::to_deg(to[place]), units::to_deg(axis->minimum.value_or(-HUGE_VAL)),
@@ -105,9 +105,9 @@ std::array<double, 3> RotaryPositions::angles_for(const RotaryMove& move, const 
   }
   std::vector<RotaryPlaces> found = chain_.turn_to(direction, from);
   if (found.empty()) {
-    const Vec3 asked = path_.part.turn.transpose() * direction;
+    const Vec3 asked = part_.turn.transpose() * direction;
     const bool by_vector = move.with_feed || move.with_rapid;
-    const Message of = path_.part.turn.isIdentity()
+    const Message of = part_.turn.isIdentity()
                            ? (by_vector ? NC_("core", "the tool vector") : NC_("core", "the tilted plane"))
                            : (by_vector ? NC_("core", "the tool vector in the part as it is turned")
                                         : NC_("core", "the tilted plane in the part as it is turned"));
@@ -176,7 +176,7 @@ void RotaryPositions::fault(std::uint32_t line, Severity severity, MessageCode c
   const auto same_kind = [&](const Diagnostic& other) {
     return other.code == code.text() && other.severity == severity;
   };
-  if (static_cast<std::size_t>(std::ranges::count_if(path_.machine_faults, same_kind)) >= most) {
+  if (static_cast<std::size_t>(std::ranges::count_if(faults_, same_kind)) >= most) {
     return;
   }
   Diagnostic diagnostic;
@@ -185,7 +185,7 @@ void RotaryPositions::fault(std::uint32_t line, Severity severity, MessageCode c
   diagnostic.code = std::string(code.text());
   diagnostic.message = std::move(what);
   diagnostic.hint = std::move(hint);
-  path_.machine_faults.push_back(std::move(diagnostic));
+  faults_.push_back(std::move(diagnostic));
 }
 
 }  // namespace feedscope

@@ -21,16 +21,17 @@ PartOnMachine part_on_machine(const Machine& machine, const Settings& settings);
 /// else the nearest. Tool vectors with feed motions take the position that a great circle leads to where the
 /// tool follows one, else the nearer of two.
 ///
-/// Where the part is turned on the machine (Toolpath::part), the axes give the tool the same directions
+/// Where the part is turned on the machine (PartOnMachine::turn), the axes give the tool the same directions
 /// relative to the part, as if the program had been posted again.
 ///
-/// Impossible moves are reported in Toolpath::machine_faults: a direction out of reach (the axes stay), a
+/// Impossible moves are reported in MachinePath::faults: a direction out of reach (the axes stay), a
 /// place beyond travel (they go there).
 class RotaryPositions {
  public:
-  /// All arguments outlive it. `path` receives the faults; `moves`: all of the program.
+  /// All arguments outlive it. `moves`: all of the program. `part` stays unturned where the program cannot
+  /// follow it.
   RotaryPositions(const Machine& machine, const KinematicChain& chain, const std::vector<RotaryMove>& moves,
-                  Toolpath& path, RotaryNotes& notes);
+                  PartOnMachine& part, std::vector<Diagnostic>& faults, RotaryNotes& notes);
 
   /// Angles by rotary_names [rad].
   const std::array<double, 3>& at() const { return at_; }
@@ -46,7 +47,8 @@ class RotaryPositions {
   const Machine& machine_;
   const KinematicChain& chain_;
   std::vector<const RotaryAxis*> axes_;  ///< in the order of the chain
-  Toolpath& path_;
+  const PartOnMachine& part_;
+  std::vector<Diagnostic>& faults_;
   RotaryNotes& notes_;
   std::array<double, 3> at_{};
   std::array<double, 3> posted_{};  ///< programmed angles, as if the part were not turned

@@ -21,30 +21,25 @@ namespace {
 constexpr double same_angle = 1e-9;  // [rad]
 
 /// The path with the part placed on the machine by the settings.
-Toolpath placed(const std::shared_ptr<const Toolpath>& programmed, const Machine& machine,
-                const Settings& settings) {
-  Toolpath path = *programmed;
+Toolpath placed(Toolpath path, const Machine& machine, const Settings& settings) {
   path.part = part_on_machine(machine, settings);
-  if (path.programmed == nullptr) {
-    path.programmed = programmed;
-  }
   return path;
 }
 
 class RotaryResolver {
  public:
-  RotaryResolver(const std::shared_ptr<const Toolpath>& path, const Machine& machine,
-                 const Settings& settings, const Progress* progress)
-      : from_(*path),
+  RotaryResolver(const Toolpath& path, const Machine& machine, const Settings& settings,
+                 const Progress* progress)
+      : from_(path),
         progress_(progress),
         machine_(machine),
         chain_(chain_of(machine.kinematics)),
         path_(placed(path, machine, settings)),
-        positions_(machine, chain_, from_.rotary_moves, path_, notes_),
+        positions_(machine, chain_, from_.rotary_moves, path_.part, faults_, notes_),
         limiter_(machine, chain_, settings, path_.part),
         axes_(limiter_.axes()) {}
 
-  std::shared_ptr<const Toolpath> run() {
+  MachinePath run() {
     path_.segments.clear();
     path_.segments.reserve(from_.segments.size() + from_.rotary_moves.size());
     auto move = from_.rotary_moves.begin();
@@ -77,7 +72,7 @@ class RotaryResolver {
       return name.size() == 1 && machine_.kinematics.find(name[0]) != nullptr &&
              std::ranges::find(from_.cutting_axes, name) == from_.cutting_axes.end();
     });
-    return std::make_shared<const Toolpath>(std::move(path_));
+    return {std::make_shared<const Toolpath>(std::move(path_)), std::move(faults_)};
   }
 
  private:
@@ -152,7 +147,7 @@ class RotaryResolver {
     note.hint = NC_("core",
                     "where rotary axes turn, their own limits hold and those of X, Y and Z as without them; "
                     "give tool_length_mm and part_zero_x_mm, _y_mm, _z_mm");
-    path_.machine_faults.push_back(std::move(note));
+    faults_.push_back(std::move(note));
   }
 
   /// Adds joints at both ends of every turn where the motion goes on, at a feed or as a rapid.
@@ -309,7 +304,8 @@ class RotaryResolver {
   const Machine& machine_;
   KinematicChain chain_;
   Toolpath path_;
-  RotaryNotes notes_{path_};
+  std::vector<Diagnostic> faults_;
+  RotaryNotes notes_{faults_};
   RotaryPositions positions_;
   TurnLimiter limiter_;
   const std::vector<const RotaryAxis*>& axes_;  ///< in the order of the chain
@@ -321,13 +317,12 @@ class RotaryResolver {
 
 }  // namespace
 
-std::shared_ptr<const Toolpath> with_rotary_moves(std::shared_ptr<const Toolpath> path,
-                                                  const Machine& machine, const Settings& settings,
-                                                  const Progress* progress) {
+MachinePath with_rotary_moves(std::shared_ptr<const Toolpath> path, const Machine& machine,
+                              const Settings& settings, const Progress* progress) {
   if (machine.kinematics.empty() || path->rotary_moves.empty()) {
-    return path;
+    return {std::move(path), {}};
   }
-  return RotaryResolver(path, machine, settings, progress).run();
+  return RotaryResolver(*path, machine, settings, progress).run();
 }
 
 }  // namespace feedscope

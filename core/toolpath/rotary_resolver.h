@@ -4,7 +4,7 @@
 
 #include "core/base/progress.h"
 #include "core/machine/machine.h"
-#include "core/toolpath/toolpath.h"
+#include "core/toolpath/machine_path.h"
 
 namespace feedscope {
 
@@ -18,10 +18,9 @@ namespace feedscope {
 /// `settings` give tool length and part_zero. Toolpath::turn_joints contains the same for the joints of
 /// segments (TurnLimiter; MODELS.md, section 14).
 ///
-/// Impossible moves are reported in Toolpath::machine_faults. Returns `path` itself where the machine has no
-/// rotary axes or the program moves none. Throws Cancelled when stopped; `progress` may be null.
-std::shared_ptr<const Toolpath> with_rotary_moves(std::shared_ptr<const Toolpath> path,
-                                                  const Machine& machine, const Settings& settings,
-                                                  const Progress* progress);
+/// Impossible moves are reported in MachinePath::faults. The toolpath is `path` itself where the machine has
+/// no rotary axes or the program moves none. Throws Cancelled when stopped; `progress` may be null.
+MachinePath with_rotary_moves(std::shared_ptr<const Toolpath> path, const Machine& machine,
+                              const Settings& settings, const Progress* progress);
 
 }  // namespace feedscope

@@ -1,8 +1,8 @@
 #pragma once
 
-// Room `toolpath`: a Program as geometry. Segments with length and curve; on a machine also the turns of
-// rotary axes, the limits that these set along the path (turn_limiter.h) and the moves to its positions
-// (machine_toolpath.h).
+// Room `toolpath`: a Program as geometry. Segments with length and curve; on a machine (machine_path.h) also
+// the turns of rotary axes, the limits that these set along the path (turn_limiter.h) and the moves to its
+// positions.
 
 #include <array>
 #include <cstdint>
@@ -144,18 +144,6 @@ struct TurnJoint {
   double tilt = -1;    ///< as SegmentTurn::tilt, at the place
 };
 
-/// Neighbouring segments along which the first of two rotary axes limits the feed while the tool lies near
-/// it.
-struct SingularPlace {
-  std::uint32_t line = 0;        ///< of the slowest segment
-  std::uint32_t first_line = 0;  ///< of all segments
-  std::uint32_t last_line = 0;
-  char axis = 'C';
-  double tilt = 0;   ///< of the tool to the axis at the slowest one [rad]
-  double speed = 0;  ///< largest possible there [mm/s]
-  double feed = 0;   ///< programmed there [mm/s]
-};
-
 /// The zero point of a work offset that the program uses.
 struct ZeroPoint {
   std::string name;  ///< as OffsetUse::name
@@ -184,18 +172,11 @@ struct Toolpath {
   std::shared_ptr<const TurnCeiling> turn_ceiling;  ///< its source; null where no rotary axis turns
   PartOnMachine part;                               ///< basis of rotary_turns and segment_turns
   double block_time = 0;                            ///< least time of the control for a block [s]
-  /// Programmed path from which on_machine() made this one; null: this is it.
-  std::shared_ptr<const Toolpath> programmed;
-  std::vector<RotaryTurn> rotary_turns;        ///< turns of rotary_moves on the machine
-  std::vector<SingularPlace> singular_places;  ///< in the order of the path
-  std::vector<Diagnostic> machine_faults;      ///< moves that the machine cannot do
-  std::vector<ZeroPoint> zero_points;          ///< of Program::work_offsets
+  std::vector<RotaryTurn> rotary_turns;             ///< turns of rotary_moves on the machine
+  std::vector<ZeroPoint> zero_points;               ///< of Program::work_offsets
   /// The text, where it consists of G code words, which some controls read in ways of their own; null: none.
   std::shared_ptr<const SourceText> source;
-  bool read_by_control = false;  ///< `source` has been read in a control's own way
 
-  /// True if a control may read the text in its own way.
-  bool may_be_read() const { return source && !read_by_control; }
   const Vec3& start_of(std::size_t i) const { return i == 0 ? start : segments[i - 1].end; }
   const PathControl& path_control_of(std::size_t i) const { return path_controls[segments[i].path_control]; }
   const SpindleState& spindle_of(std::size_t i) const { return spindles[segments[i].spindle]; }

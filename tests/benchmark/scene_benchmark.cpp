@@ -31,7 +31,7 @@ struct Window {
   explicit Window(const Run& run) {
     window->SetSize(width, height);
     scene.attach(*window);
-    scene.set_programmed(run.input.toolpath);
+    scene.set_programmed(run.path.toolpath);
     scene.set_executed(run.trajectory);
     scene.set_standard_view(ui::StandardView::iso);
     window->Render();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ struct Inputs {
   const ControlModel& model;
   const Machine& machine;
   const Settings& settings;
+  std::shared_ptr<const Toolpath> programmed;
 };
 
 /// How far the promised rounding may move a programmed point: half a step of every axis, and 32 bits [mm].

@@ -8,7 +8,7 @@
 
 #include "core/analysis/run/run.h"
 #include "core/program/program.h"
-#include "core/toolpath/machine_toolpath.h"
+#include "core/toolpath/machine_path.h"
 
 namespace feedscope::contract {
 namespace {
@@ -17,8 +17,9 @@ std::string text_of(const Case& example) {
   return fmt::format("{}\n", fmt::join(example.lines, "\n"));
 }
 
-std::vector<Finding> check_run(const Toolpath& toolpath, const Inputs& inputs) {
-  const Trajectory run = inputs.model.simulate(toolpath, inputs.machine, inputs.settings);
+std::vector<Finding> check_run(const MachinePath& path, const Inputs& inputs) {
+  const Toolpath& toolpath = *path;
+  const Trajectory run = inputs.model.simulate(path, inputs.machine, inputs.settings);
   const Guarantees promised = inputs.model.guarantees(inputs.settings);
   const double tolerance =
       inputs.settings.has("contour_tolerance_mm") ? inputs.settings.number("contour_tolerance_mm") : 0;
@@ -57,9 +58,9 @@ std::vector<Finding> check_case(const Case& example) {
                      reading_on({}, example.machine));
     const ControlModel& model = find_model(example.model);
     const Settings settings = complete_settings(model, example.machine);
-    const auto path =
-        on_machine(std::make_shared<const Toolpath>(build_toolpath(program)), example.machine, settings);
-    return check_run(*model.read(path, settings).path, {model, example.machine, settings});
+    const auto programmed = std::make_shared<const Toolpath>(build_toolpath(program));
+    return check_run(on_machine(model.read(programmed, settings).path, example.machine, settings),
+                     {model, example.machine, settings, programmed});
   } catch (const std::exception& error) {
     return {Finding{"throws", error.what()}};
   }

@@ -26,7 +26,6 @@ std::vector<Item> items_of(const std::vector<Item>& items, std::size_t first, st
 /// Segments [first, last) of `whole` as a path of their own.
 Toolpath part_of(const Toolpath& whole, std::size_t first, std::size_t last) {
   Toolpath part = whole;
-  part.programmed = nullptr;  // it is not that of the whole program
   part.start = whole.start_of(first);
   part.segments.assign(whole.segments.begin() + static_cast<std::ptrdiff_t>(first),
                        whole.segments.begin() + static_cast<std::ptrdiff_t>(last));
@@ -75,7 +74,7 @@ Result compare(const Trajectory& whole, double from, const Trajectory& part, dou
 }  // namespace
 
 Result check_again(const Motion& motion, const Inputs& inputs) {
-  const Trajectory again = inputs.model.simulate(motion.toolpath(), inputs.machine, inputs.settings);
+  const Trajectory again = inputs.model.simulate(inputs.programmed, inputs.machine, inputs.settings);
   return same_bits(motion.run(), again) ? Result() : Finding{"again", "another result when run again"};
 }
 
@@ -98,7 +97,8 @@ Result check_split(const Motion& motion, const Guarantees& promised, const Input
     const double cut = part < motion.parts().size() ? motion.parts()[part].time : motion.run().duration();
     const std::uint32_t line = toolpath.segments[i - 1].line;
     const auto run = [&](std::size_t first, std::size_t last) {
-      return inputs.model.simulate(part_of(toolpath, first, last), inputs.machine, inputs.settings);
+      const MachinePath path{std::make_shared<const Toolpath>(part_of(toolpath, first, last)), {}};
+      return inputs.model.simulate(path, inputs.machine, inputs.settings);
     };
     if (Result wrong = compare(motion.run(), 0, run(0, i), cut, line)) {
       return wrong;
@@ -160,7 +160,7 @@ Result check_bound(const Motion& motion, const Guarantees& promised, const Input
   }
   constexpr double grid = 1e-3;  // of its time: what cells of half the length change at most
   const double least =
-      bound.simulate(motion.toolpath(), inputs.machine, settings_of_bound(bound, inputs)).duration();
+      bound.simulate(inputs.programmed, inputs.machine, settings_of_bound(bound, inputs)).duration();
   const double factor = slower_by(motion, AxisVectors(inputs.machine));
   if (!(least <= motion.run().duration() * factor * (1 + grid))) {
     return Finding{"bound",

@@ -37,7 +37,7 @@ Draw scene_with(const std::function<void(ui::PathScene&, const Run&)>& change,
                 ui::StandardView view = ui::StandardView::top) {
   return [change, view](const Run& run, ui::PictureSize size) {
     ui::PathScene scene;
-    scene.set_programmed(run.input.toolpath);
+    scene.set_programmed(run.path.toolpath);
     scene.set_executed(run.trajectory);
     scene.set_standard_view(view);
     change(scene, run);

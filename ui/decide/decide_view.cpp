@@ -354,13 +354,12 @@ void DecideView::show_chart() {
   for (std::size_t row = 0; row < runs_.items().size(); ++row) {
     const auto result = runs_.result(row);
     if (result != nullptr && !is_refused(result->run)) {
-      least_refused = std::min(least_refused, result->run.input.lines_not_run.size());
+      least_refused = std::min(least_refused, result->run.lines_not_run.size());
     }
   }
   for (std::size_t row = 0; row < runs_.items().size(); ++row) {
     const auto result = runs_.result(row);
-    if (result != nullptr && !is_refused(result->run) &&
-        result->run.input.lines_not_run.size() == least_refused) {
+    if (result != nullptr && !is_refused(result->run) && result->run.lines_not_run.size() == least_refused) {
       dots.push_back({row, result->run.summary.cycle_time, deciding_error(result->run.summary),
                       run_letter(row), runs_.items()[row].colour, taken && taken->run == row,
                       row == runs_.current()});

@@ -40,7 +40,7 @@ QString core_title(std::string_view text) {
 QString TimeTexts::refusal(const Run& run) {
   return tr("<b>The control refuses the program:</b> none of its feed motions is run, and there is no cycle "
             "time to explain. Lines that are not run: %1.")
-      .arg(in_language(line_list(run.input.lines_not_run)));
+      .arg(in_language(line_list(run.lines_not_run)));
 }
 
 QString TimeTexts::lost_to(const SlowGroup& group) {
@@ -73,7 +73,7 @@ QString TimeTexts::conclusion(const TimeReport& report, const Run& run) {
         QLatin1Char(' ') +
         tr("Most is lost here: <b>%1</b> (%2 s).").arg(group(most).toHtmlEscaped(), seconds_text(most.loss));
   }
-  if (const Message refused = refused_note(run.input.lines_not_run); !refused.empty()) {
+  if (const Message refused = refused_note(run.lines_not_run); !refused.empty()) {
     text += QLatin1Char(' ') + in_language(refused);
   }
   return text;

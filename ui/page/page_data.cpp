@@ -328,7 +328,7 @@ std::vector<CloseView> joined(std::vector<CloseView> views) {
 
 /// The output of `simulate --json`, without parts that vary or are not shown.
 QJsonObject figures_json(const ReportRun& run, const ComparedRun& figures) {
-  const std::string text = simulation_json(run.shown->run.input, figures);
+  const std::string text = simulation_json(run.shown->run, figures);
   QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
   for (const char* name : {"elapsed", "diagnostics", "settings"}) {
     json.remove(QLatin1String(name));

@@ -7,7 +7,7 @@
 #include <QVBoxLayout>
 
 #include "core/analysis/notes/not_counted.h"
-#include "core/toolpath/machine_toolpath.h"
+#include "core/toolpath/machine_path.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/in_language.h"
 #include "ui/language/texts.h"
@@ -22,7 +22,7 @@ QString title_of(const Run& run, const QString& name = {}) {
   const QString file = program_file_name(*run.input.program);
   const QString time = clock_text(run.trajectory->duration());
   const QString faults = reading_faults_text(*run.input.program);
-  const QString omitted = in_language(not_counted_note(not_counted(*run.input.toolpath)));
+  const QString omitted = in_language(not_counted_note(not_counted(*run.path)));
   const QString title =
       QStringLiteral("<b>%1</b> &nbsp; %2 · %3 · %4%5")
           .arg(file.toHtmlEscaped(), QString::fromStdString(run.setup.machine.name).toHtmlEscaped(),

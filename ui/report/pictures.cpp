@@ -10,7 +10,7 @@
 
 #include "core/analysis/notes/not_counted.h"
 #include "core/base/error.h"
-#include "core/toolpath/machine_toolpath.h"
+#include "core/toolpath/machine_path.h"
 #include "ui/language/in_language.h"
 #include "ui/language/texts.h"
 #include "ui/report/blocks/report_cards.h"
@@ -83,7 +83,7 @@ QRectF paint_caption(QPainter& painter, const ReportInput& input, const QString&
     parts.prepend(place);
   }
   const QString text = parts.join(separator);
-  const QString omitted = in_language(not_counted_note(not_counted(*run.input.toolpath)));
+  const QString omitted = in_language(not_counted_note(not_counted(*run.path)));
   const QString whole = omitted.isEmpty() ? text : text + separator + omitted;
 
   QFont font = QApplication::font();

@@ -513,7 +513,7 @@ QString notes_block(const ReportInput& input) {
   if (input.annotations.empty() || trajectory.pieces().empty()) {
     return {};
   }
-  const std::vector<Segment>& segments = input.run().shown->run.input.toolpath->segments;
+  const std::vector<Segment>& segments = input.run().shown->run.path->segments;
   const QStringList texts = ScenePicture(input, input.current, ThemeKind::light).annotation_texts();
   HtmlTable table("rrrrl", {5, 14, 18, 21, 42});
   table.add_head({ReportWords::tr("No."), ReportWords::tr("Line"), ReportWords::tr("Time [s]"),

@@ -72,7 +72,7 @@ QString severity_text(Severity severity) {
 
 QString program_facts_block(const ReportInput& input) {
   const Program& program = *input.program().program;
-  const ProgramFacts facts = facts_of(program, *input.program().toolpath);
+  const ProgramFacts facts = facts_of(program, *input.runs.front().shown->run.path);
   HtmlTable table("ll", {24, 76});
   const auto add = [&](const QString& name, const QString& value) { table.add({name, value}); };
   add(ReportWords::tr("File"), html_text(program.source->name()));

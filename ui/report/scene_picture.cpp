@@ -94,7 +94,7 @@ ScenePicture::ScenePicture(const ReportInput& input, std::size_t row, ThemeKind 
   scene_.set_background(theme == ThemeKind::dark ? Background::dark : Background::light);
   scene_.set_transparent(transparent);
   scene_.set_texts(input.texts);
-  scene_.set_programmed(run.shown->run.input.toolpath);
+  scene_.set_programmed(run.shown->run.path.toolpath);
   scene_.set_executed(run.shown->run.trajectory, samples());
   scene_.set_overlays(overlays_of(input, row));
   scene_.set_run_colour(rgb_of(run.colour));

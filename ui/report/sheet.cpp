@@ -251,7 +251,7 @@ class SheetPainter {
 
   QString facts_html() const {
     const Program& program = *input_.program().program;
-    const ProgramFacts facts = facts_of(program, *input_.program().toolpath);
+    const ProgramFacts facts = facts_of(program, *input_.runs.front().shown->run.path);
     HtmlTable table("ll", {30, 70});
     table.add({ReportWords::tr("Program"),
                ReportWords::tr("%1 blocks, path %2 %3")

@@ -109,7 +109,7 @@ bool RunTable::counts(std::size_t row) const {
 
 std::size_t RunTable::lines_not_run(std::size_t row) const {
   const auto result = runs_.result(row);
-  return result != nullptr ? result->run.input.lines_not_run.size() : 0;
+  return result != nullptr ? result->run.lines_not_run.size() : 0;
 }
 
 bool RunTable::keeps_bound(const Summary& summary) const {

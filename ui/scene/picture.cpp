@@ -64,7 +64,7 @@ Picture draw_picture(PathScene& scene, PictureSize size) {
 
 Picture draw_run(const Run& run, PictureSize size, StandardView view) {
   PathScene scene;
-  scene.set_programmed(run.input.toolpath);
+  scene.set_programmed(run.path.toolpath);
   scene.set_executed(run.trajectory, std::make_shared<const SampledPath>(sample_executed(
                                          run.trajectory, default_max_points, {}, nullptr, run.sources)));
   scene.set_standard_view(view);

@@ -277,8 +277,8 @@ void WhyView::show_place() {
   show_ahead(*why_);
   show_neighbours();
   show_table_state();
-  const bool by_itself = shown_->run.input.toolpath->segments.size() < short_program &&
-                         shown_->run.simulate_time < short_simulation;
+  const bool by_itself =
+      shown_->run.path->segments.size() < short_program && shown_->run.simulate_time < short_simulation;
   if (by_itself && !tried_) {
     rest_.start();
   }

@@ -76,7 +76,7 @@ QString DecisionTexts::without_choice(std::span<const ComparedRun> runs, const Q
 QString DecisionTexts::against(const Run& run, const Run& other) {
   const double time = other.summary.cycle_time;
   const bool comparable = &run != &other && can_run(run) && can_run(other) && time > 0 &&
-                          run.input.lines_not_run.size() == other.input.lines_not_run.size();
+                          run.lines_not_run.size() == other.lines_not_run.size();
   return comparable ? tr("%1 %").arg(signed_number(100 * (run.summary.cycle_time / time - 1), 1))
                     : QStringLiteral("–");
 }

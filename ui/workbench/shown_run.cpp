@@ -52,7 +52,7 @@ std::shared_ptr<const ShownRun> shown_of(Run run, const Making& how) {
   };
   // Two cores start with the first and the third.
   in_parallel({[&] {
-                 const Toolpath* toolpath = drawn->run.input.toolpath.get();
+                 const Toolpath* toolpath = drawn->run.path.toolpath.get();
                  if (how.parts.path) {
                    drawn->samples = std::make_shared<const SampledPath>(
                        sample_executed(trajectory, default_max_points, {}, &samples, drawn->run.sources));
@@ -131,6 +131,10 @@ std::shared_ptr<const ShownRun> simulate_shown(const LoadedProgram& input, Setup
 ShownProgram make_shown(LoadedProgram input) {
   auto samples = std::make_shared<const SampledPath>(sample_programmed(*input.toolpath));
   return {std::move(input), std::move(samples)};
+}
+
+ShownProgram program_of(const Run& run) {
+  return {run.input, std::make_shared<const SampledPath>(sample_programmed(*run.path))};
 }
 
 }  // namespace feedscope::ui

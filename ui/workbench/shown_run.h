@@ -40,5 +40,7 @@ struct ShownProgram {
 };
 
 ShownProgram make_shown(LoadedProgram input);
+/// The program of a run, with the path as the machine runs it.
+ShownProgram program_of(const Run& run);
 
 }  // namespace feedscope::ui

@@ -44,17 +44,17 @@ std::shared_ptr<const ShownTrace> lay_beside(std::shared_ptr<const Trace> trace,
   auto shown = std::make_shared<ShownTrace>();
   const Run& simulated = run->run;
   const SeenAxes seen{trace->has(0), trace->has(1), trace->has(2)};
-  const ProgrammedCourse course(*simulated.input.toolpath, seen);
+  const ProgrammedCourse course(*simulated.path, seen);
   shown->found = find_on_program(*trace, course, deviation_of(*simulated.trajectory, course, step, progress),
                                  simulated.input.program->source.get(), progress);
   shown->agreement = agreement_of(shown->found, course, simulated, progress);
   add_held_remarks(shown->found, course, shown->agreement.simulated);
-  add_feed_remark(shown->found, shown->agreement, course, *simulated.input.toolpath);
+  add_feed_remark(shown->found, shown->agreement, course, *simulated.path);
   shown->motion = TraceMotion(shown->found.record, seen, shown->found.noise, trace->period,
                               RecordedErrors(*trace, shown->found.pose), progress);
   shown->alignment = TraceAlignment(shown->found, shown->agreement);
   shown->samples = std::make_shared<const SampledPath>(
-      sample_recorded(shown->found, course, *simulated.input.toolpath, default_max_points, progress));
+      sample_recorded(shown->found, course, *simulated.path, default_max_points, progress));
   shown->trace = std::move(trace);
   shown->run = std::move(run);
   return shown;

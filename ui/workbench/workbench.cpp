@@ -70,7 +70,7 @@ void Workbench::show(const Run& run) {
   traces_.clear();
   annotations_.replace({});
   runs_.replace({{0, {}, runs_.current_item().colour, true, SetupState(run.setup)}}, 0, run.setup.load);
-  program_ = make_shown(run.input);
+  program_ = program_of(run);
   runs_.set_feed_controls(run.input.feed_controls);
   emit program_changed();
   runs_.set_result(runs_.current_item().id, make_shown(run));

@@ -45,7 +45,7 @@ void add_operations(const Run& run, const ProgrammedCourse& course, const TimeLa
   std::vector<Operation> operations;
   for (const OperationSplit split : {OperationSplit::tool, OperationSplit::comment}) {
     if (operations.size() < 2) {
-      operations = split_operations(run.input, split);
+      operations = split_operations(*run.input.program, *run.path, split);
       found.split = split;
     }
   }
@@ -279,10 +279,10 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
     }
   }
   agreement.feed_rms = length > 0 ? std::sqrt(squares / length) : 0;
-  agreement.worst = worst_of(agreement.cells, course, *run.input.toolpath);
+  agreement.worst = worst_of(agreement.cells, course, *run.path);
   add_operations(run, course, trace.law, simulated, part, agreement);
   constexpr double clear_of_noise = 20;
-  agreement.corners = corners_of(*run.input.toolpath, course, trace.law, simulated, part.from, part.to,
+  agreement.corners = corners_of(*run.path, course, trace.law, simulated, part.from, part.to,
                                  std::max(begun_motion, clear_of_noise * trace.noise));
   std::erase_if(agreement.corners, [&](const CornerAgreement& corner) {
     return is_held(corner.s - corner.reach, corner.s + corner.reach);

@@ -65,7 +65,7 @@ CircularTest test_of(const FullCircle& circle, bool actual) {
 }  // namespace
 
 ProgramCircles program_circles(const Run& run, Progress* progress) {
-  const FullCircles found = find_full_circles(*run.input.toolpath);
+  const FullCircles found = find_full_circles(*run.path);
   ProgramCircles result;
   result.found = found.circles.size();
   result.evaluated = std::min(found.circles.size(), max_program_circles);

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/toolpath/machine_toolpath.h"
+#include "core/toolpath/machine_path.h"
 
 namespace feedscope {
 

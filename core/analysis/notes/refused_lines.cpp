@@ -1,20 +1,11 @@
 #include "core/analysis/notes/refused_lines.h"
 
 #include <algorithm>
-#include <memory>
-#include <utility>
 
 namespace feedscope {
 
 std::vector<Diagnostic> refused_lines(const LoadedProgram& program, const Setup& setup) {
-  return program.toolpath->may_be_read() ? setup.model->read(program.toolpath, setup.settings).refused
-                                         : program.lines_not_run;
-}
-
-std::vector<Diagnostic> refused_as_written(const LoadedProgram& program, const Setup& setup) {
-  auto written = std::make_shared<Toolpath>();
-  written->source = program.toolpath->source;
-  return setup.model->read(std::move(written), setup.settings).refused;
+  return setup.model->read(program.toolpath, setup.settings).refused;
 }
 
 bool is_refused(const Run& run) {
@@ -22,12 +13,11 @@ bool is_refused(const Run& run) {
   const auto is_feed_motion = [](const Segment& segment) {
     return segment.kind != SegmentKind::dwell && !segment.rapid;
   };
-  return cuts && !run.input.lines_not_run.empty() &&
-         std::ranges::none_of(run.input.toolpath->segments, is_feed_motion);
+  return cuts && !run.lines_not_run.empty() && std::ranges::none_of(run.path->segments, is_feed_motion);
 }
 
 bool is_out_of_reach(const Run& run) {
-  return has_errors(run.input.toolpath->machine_faults);
+  return has_errors(run.path.faults);
 }
 
 Message line_list(const std::vector<Diagnostic>& lines) {

@@ -7,18 +7,14 @@
 
 namespace feedscope {
 
-/// Lines of `program` that the control of `setup` refuses, as notes. `program`: as loaded, or the input of a
-/// run with this setup.
+/// Lines of `program` that the control of `setup` refuses, as notes: of a run Run::lines_not_run.
 std::vector<Diagnostic> refused_lines(const LoadedProgram& program, const Setup& setup);
-
-/// Refused lines for any control, whichever one has read `program`.
-std::vector<Diagnostic> refused_as_written(const LoadedProgram& program, const Setup& setup);
 
 /// Whether the program has feed motions and the control refuses so many lines that none of them runs,
 /// whatever the time of rapids and dwells.
 bool is_refused(const Run& run);
 
-/// Whether the program leads the machine out of reach (an error in Toolpath::machine_faults): a control
+/// Whether the program leads the machine out of reach (an error in MachinePath::faults): a control
 /// refuses such a block.
 bool is_out_of_reach(const Run& run);
 

@@ -28,7 +28,7 @@ struct Examined {
 
   const Setup& setup() const { return run.setup; }
   const Machine& machine() const { return run.setup.machine; }
-  const Toolpath& path() const { return *run.input.toolpath; }  ///< as the machine runs it
+  const Toolpath& path() const { return *run.path; }  ///< as the machine runs it
   Guarantees promised() const { return run.setup.model->guarantees(run.setup.settings); }
 
   /// "0.02 mm"; at most `decimals` in metric units, which an inch has about one and a half more of.
@@ -60,12 +60,12 @@ Message other_control(const Examined& of) {
 }
 
 Message refused(const Examined& of) {
-  return refused_note(of.run.input.lines_not_run);
+  return refused_note(of.run.lines_not_run);
 }
 
 /// Faults of rotary axes: the first of the most severe ones, and their number.
 Message machine_faults(const Examined& of) {
-  const std::vector<Diagnostic>& faults = of.path().machine_faults;
+  const std::vector<Diagnostic>& faults = of.run.path.faults;
   if (faults.empty()) {
     return {};
   }

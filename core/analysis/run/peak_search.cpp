@@ -184,10 +184,11 @@ void PeakSearch::add(const PeakSearch& other) {
   }
 }
 
-AxisVector<AxisPeaks> PeakSearch::axes() const {
+AxisVector<AxisPeaks> PeakSearch::axes(bool with_jerk) const {
   AxisVector<AxisPeaks> axes;
   for (std::size_t i = 0; i < axis_count; ++i) {
-    axes[i] = {largest_[i], largest_[axis_count + i], largest_[2 * axis_count + i]};
+    axes[i] = {largest_[i], largest_[axis_count + i],
+               with_jerk ? largest_[2 * axis_count + i] : std::numeric_limits<double>::quiet_NaN()};
   }
   return axes;
 }

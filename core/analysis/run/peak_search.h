@@ -18,8 +18,8 @@ class PeakSearch {
   void add(const Trajectory& trajectory, const Part& part);
   void add(const PeakSearch& other);
 
-  double speed() const { return largest_[speed_place]; }  ///< [mm/s]
-  AxisVector<AxisPeaks> axes() const;
+  double speed() const { return largest_[speed_place]; }    ///< [mm/s]
+  AxisVector<AxisPeaks> axes(bool with_jerk = true) const;  ///< without: jerks are NaN
 
  private:
   /// Velocity, acceleration, jerk and derivative of the jerk.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/analysis/contour/chord_error.h"
-#include "core/toolpath/machine_toolpath.h"
+#include "core/toolpath/machine_path.h"
 #include "core/toolpath/toolpath.h"
 
 namespace feedscope {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 
 #include "core/analysis/envelope/rotary_walk.h"
 #include "core/analysis/run/beyond_machines.h"
@@ -81,9 +80,9 @@ Message with_likely_cause(const Message& limit, const Program& program) {
 }
 
 /// None without operations. Throws InputError as LoadModel does.
-std::optional<LoadModel> load_model(const LoadedProgram& input, const LoadSetup& load) {
+std::optional<LoadModel> load_model(const Run& run, const LoadSetup& load) {
   return load.empty() ? std::nullopt
-                      : std::optional<LoadModel>(std::in_place, load, *input.program, *input.toolpath);
+                      : std::optional<LoadModel>(std::in_place, load, *run.input.program, *run.path);
 }
 
 void set_load(Run& run, std::optional<LoadModel> load) {
@@ -198,27 +197,18 @@ Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress)
   Run run;
   run.input = input;
   run.setup = std::move(setup);
-  ControlReading reading = run.setup.model->read(input.toolpath, run.setup.settings, progress);
+  const ControlModel& model = *run.setup.model;
+  ControlReading reading = model.read(input.toolpath, run.setup.settings, progress);
   const bool read_again = reading.path != input.toolpath;
   if (const auto beyond = read_again ? beyond_machines(*reading.path) : std::nullopt) {
     throw_beyond_machines(*input.program, *beyond);
   }
-  LoadedProgram loaded = input;
-  if (!run.setup.load.empty()) {  // feeds change, and pauses shift the segments
-    loaded.toolpath = on_machine(reading.path, run.setup.machine, run.setup.settings, progress);
-  }
-  std::optional<LoadModel> load = load_model(loaded, run.setup.load);
+  run.lines_not_run = std::move(reading.refused);
+  run.path = on_machine(std::move(reading.path), run.setup.machine, run.setup.settings, progress);
+  std::optional<LoadModel> load = load_model(run, run.setup.load);
   run.trajectory = std::make_shared<const Trajectory>(
-      run.setup.model->simulate(reading.path, run.setup.machine, run.setup.settings, progress));
-  const Guarantees promised = run.setup.model->guarantees(run.setup.settings);
-  const std::shared_ptr<const Toolpath>& ran = run.trajectory->path().programmed();
-  const bool same_points = promised.lays_curves || !promised.smooths;
-  run.input.toolpath =
-      same_points && ran && ran->programmed
-          ? ran  // already computed: every turn costs its kinematics
-          : on_machine(std::move(reading.path), run.setup.machine, run.setup.settings, progress);
-  run.input.lines_not_run = std::move(reading.refused);
-  run.sources.limits_jerk = promised.limits_jerk;
+      model.simulate(run.path, run.setup.machine, run.setup.settings, progress));
+  run.sources.limits_jerk = model.guarantees(run.setup.settings).limits_jerk;
   if (has_drives(run.setup.machine)) {
     run.sources.actual = std::make_shared<const ActualPath>(run.trajectory, run.setup.machine, progress);
   }
@@ -229,7 +219,7 @@ Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress)
 }
 
 Run with_load(Run run, LoadSetup load, Progress* progress) {
-  set_load(run, load_model(run.input, load));
+  set_load(run, load_model(run, load));
   run.setup.load = std::move(load);
   run.summary.load.reset();
   if (run.sources.load) {
@@ -240,13 +230,9 @@ Run with_load(Run run, LoadSetup load, Progress* progress) {
 
 void add_summary(Run& run, Progress* progress) {
   const StopWatch watch;
-  run.summary = summarise(*run.trajectory, *run.input.toolpath,
-                          axis_limit_vector(run.setup.machine, &AxisLimits::velocity), progress);
-  if (!run.sources.limits_jerk) {
-    for (std::size_t i = 0; i < run.summary.axes.size(); ++i) {
-      run.summary.axes[i].jerk = std::numeric_limits<double>::quiet_NaN();
-    }
-  }
+  run.summary =
+      summarise(*run.trajectory, *run.path, axis_limit_vector(run.setup.machine, &AxisLimits::velocity),
+                progress, run.sources.limits_jerk);
   if (run.sources.actual) {
     run.summary.actual = actual_figures(*run.sources.actual, progress);
   }

@@ -27,8 +27,6 @@ struct LoadedProgram {
   std::optional<ChordError> chord_error;  ///< of its short lines, if there are enough
   std::optional<LargestFeed> largest_feed;
   double read_time = 0;  ///< wall clock, text to toolpath [s]
-  /// Of a run: lines that its control refuses, as notes; the toolpath excludes them.
-  std::vector<Diagnostic> lines_not_run;
   bool refused = false;  ///< cut off at a limit, and ReadOptions do not request its simulation
 };
 
@@ -56,8 +54,10 @@ inline constexpr const char* default_machine = "spinner-mvc850";
 /// One program on one machine with one model: the source of everything that is shown or written about it.
 /// Cheap to copy; runs of the same program share program and toolpath.
 struct Run {
-  LoadedProgram input;  ///< with its toolpath as read by the control and adapted by on_machine()
+  LoadedProgram input;
   Setup setup;
+  MachinePath path;                       ///< of `input`, as the control reads it and the machine runs it
+  std::vector<Diagnostic> lines_not_run;  ///< that the control refuses, as notes; `path` excludes them
   std::shared_ptr<const Trajectory> trajectory;
   RunSources sources;
   Summary summary;

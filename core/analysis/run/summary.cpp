@@ -91,7 +91,7 @@ Totals totals_of(const Trajectory& trajectory, const std::function<void()>& also
 }  // namespace
 
 Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const Vec3& rapid_speed,
-                  Progress* progress) {
+                  Progress* progress, bool limits_jerk) {
   Summary summary;
   summary.cycle_time = trajectory.duration();
   summary.programmed_time = programmed_time(toolpath, rapid_speed);
@@ -115,7 +115,7 @@ Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const 
   const double moving = summary.cycle_time - totals.waiting();
   summary.mean_feed = moving > 0 ? trajectory.path_length() / moving : 0;
   summary.peak_feed = totals.peaks().speed();
-  summary.axes = totals.peaks().axes();
+  summary.axes = totals.peaks().axes(limits_jerk);
   return summary;
 }
 

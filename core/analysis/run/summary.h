@@ -10,7 +10,7 @@
 #include "core/analysis/run/axis_peaks.h"
 #include "core/base/progress.h"
 #include "core/machine/axis_vector.h"
-#include "core/toolpath/machine_toolpath.h"
+#include "core/toolpath/machine_path.h"
 #include "core/toolpath/toolpath.h"
 #include "core/trajectory/trajectory.h"
 
@@ -40,8 +40,9 @@ struct Summary {
   std::optional<RotaryFigures> rotary;
 };
 
-/// `toolpath`: of the trajectory; `rapid_speed`: per axis [mm/s]. Throws Cancelled when stopped.
+/// `toolpath`: of the trajectory; `rapid_speed`: per axis [mm/s]; `limits_jerk`: of the model; without, the
+/// jerk of an axis has no largest value (NaN). Throws Cancelled when stopped.
 Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const Vec3& rapid_speed,
-                  Progress* progress = nullptr);
+                  Progress* progress = nullptr, bool limits_jerk = true);
 
 }  // namespace feedscope

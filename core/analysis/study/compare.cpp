@@ -66,7 +66,7 @@ ComparedRun figures_of(const Run& run) {
           run.simulate_time,
           tolerance_in_force(run.input.feed_controls, run.setup),
           is_refused(run),
-          run.input.lines_not_run.size(),
+          run.lines_not_run.size(),
           is_out_of_reach(run),
           remarks(run)};
 }

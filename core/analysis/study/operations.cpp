@@ -42,9 +42,8 @@ std::vector<ToolLine> tool_lines(const Program& program) {
   return in.empty() ? asked : in;
 }
 
-std::vector<Operation> by_tool(const LoadedProgram& program) {
-  const Toolpath& path = *program.toolpath;
-  const std::vector<ToolLine> lines = tool_lines(*program.program);
+std::vector<Operation> by_tool(const Program& program, const Toolpath& path) {
+  const std::vector<ToolLine> lines = tool_lines(program);
   std::vector<Operation> operations{{before_first_tool, 0, 0, 0}};
   std::string tool;
   for (std::uint32_t i = 0; i < path.segments.size(); ++i) {
@@ -110,9 +109,8 @@ const Heading* title_between(const std::vector<Heading>& headings, std::uint32_t
   return title;
 }
 
-std::vector<Operation> by_comment(const LoadedProgram& program) {
-  const Toolpath& path = *program.toolpath;
-  const std::vector<Heading> headings = headings_of(*program.program->source);
+std::vector<Operation> by_comment(const Program& program, const Toolpath& path) {
+  const std::vector<Heading> headings = headings_of(*program.source);
   std::vector<Operation> operations{{before_first_tool, 0, 0, 0}};
   std::uint32_t before = 0;
   for (std::uint32_t i = 0; i < path.segments.size(); ++i) {
@@ -155,16 +153,17 @@ OperationSplit operation_split(const std::string& name) {
                                near.empty() ? "" : fmt::format("did you mean '{}'? ", near)));
 }
 
-std::vector<Operation> split_operations(const LoadedProgram& program, OperationSplit split) {
+std::vector<Operation> split_operations(const Program& program, const Toolpath& path, OperationSplit split) {
   if (split == OperationSplit::none) {
     return {};
   }
-  std::vector<Operation> operations = split == OperationSplit::tool ? by_tool(program) : by_comment(program);
-  const auto end = static_cast<std::uint32_t>(program.toolpath->segments.size());
+  std::vector<Operation> operations =
+      split == OperationSplit::tool ? by_tool(program, path) : by_comment(program, path);
+  const auto end = static_cast<std::uint32_t>(path.segments.size());
   for (std::size_t i = 0; i < operations.size(); ++i) {
     operations[i].last = i + 1 < operations.size() ? operations[i + 1].first : end;
     if (operations[i].line == 0 && operations[i].first < end) {
-      operations[i].line = program.toolpath->segments[operations[i].first].line;
+      operations[i].line = path.segments[operations[i].first].line;
     }
   }
   std::erase_if(operations, [](const Operation& operation) { return operation.first >= operation.last; });

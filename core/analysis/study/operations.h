@@ -32,7 +32,8 @@ struct Operation {
 /// Throws InputError with the nearest name unless `name` is "tool" or "comment".
 OperationSplit operation_split(const std::string& name);
 
-/// Splits a program. Operations without a segment are omitted; all others together contain every segment.
+/// Splits a program by its `path`. Operations without a segment are omitted; all others together contain
+/// every segment.
 ///
 /// By tool: a new operation starts where the tool requested last is loaded ("tool 3"); the part before the
 /// first one is "start". By comment: CAM systems head an operation with a line that contains only a comment,
@@ -40,7 +41,7 @@ OperationSplit operation_split(const std::string& name);
 /// the last run of neighbouring ones counts, and of that the first with a letter. A subprogram belongs to the
 /// calling operation unless it has headings of its own; where a loop or a return goes back, the operation of
 /// the last heading above begins again, unless it is current.
-std::vector<Operation> split_operations(const LoadedProgram& program, OperationSplit split);
+std::vector<Operation> split_operations(const Program& program, const Toolpath& path, OperationSplit split);
 
 /// Figures of one operation in one run.
 struct OperationFigures {

@@ -139,7 +139,7 @@ Study run_study(const LoadedProgram& program, const StudyRequest& request, Progr
   Study study;
   study.sweeps = request.sweeps;
   study.within = request.within;
-  study.operations = split_operations(program, request.split);
+  study.operations = split_operations(*program.program, *program.toolpath, request.split);
   const std::vector<StudySetup> setups = setups_to_study(request);
   std::vector<Setup> plain;
   for (const StudySetup& one : setups) {

@@ -87,11 +87,11 @@ struct Sections {
   std::vector<std::pair<std::uint32_t, std::size_t>> starts;  ///< first segment, index into `operations`
 };
 
-Sections sections_of(const LoadedProgram& program, OperationSplit split) {
+Sections sections_of(const Run& run, OperationSplit split) {
   Sections sections;
   sections.split = split;
   std::map<std::pair<std::uint32_t, std::string>, std::size_t> known;
-  for (Operation& operation : split_operations(program, split)) {
+  for (Operation& operation : split_operations(*run.input.program, *run.path, split)) {
     const auto [found, is_new] =
         known.try_emplace({operation.line, operation.title}, sections.operations.size());
     if (is_new) {
@@ -106,18 +106,18 @@ Sections sections_of(const LoadedProgram& program, OperationSplit split) {
   return sections;
 }
 
-Sections usual_sections(const LoadedProgram& program, OperationSplit split) {
+Sections usual_sections(const Run& run, OperationSplit split) {
   if (split != OperationSplit::none) {
-    return sections_of(program, split);
+    return sections_of(run, split);
   }
-  Sections by_tool = sections_of(program, OperationSplit::tool);
+  Sections by_tool = sections_of(run, OperationSplit::tool);
   const auto tools = std::ranges::count_if(by_tool.operations, [](const OperationTime& operation) {
     return operation.title != before_first_tool;
   });
   if (tools > 1) {
     return by_tool;
   }
-  Sections by_comment = sections_of(program, OperationSplit::comment);
+  Sections by_comment = sections_of(run, OperationSplit::comment);
   const std::size_t count = by_comment.operations.size();
   return count > 1 && count <= most_by_comment ? by_comment : Sections();
 }
@@ -178,9 +178,9 @@ std::string_view path_title(const TimeUse& use) {
 TimeUse time_use(const Run& run, OperationSplit split, Progress* progress) {
   const Trajectory& trajectory = *run.trajectory;
   const BlendedPath& path = trajectory.path();
-  const Toolpath& toolpath = *run.input.toolpath;
+  const Toolpath& toolpath = *run.path;
   const Vec3 rapid_speed = axis_limit_vector(run.setup.machine, &AxisLimits::velocity);
-  Sections sections = usual_sections(run.input, split);
+  Sections sections = usual_sections(run, split);
   std::vector<SectionSums> of_section(sections.operations.size());
   std::array<ExactSum, time_kind_count> time, programmed;
 

@@ -190,15 +190,16 @@ Trajectory OptimalModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
   const Toolpath& toolpath = *shared;
   const AxisVectors axes(machine);
   const ControlModel& model = find_model(settings.text("path"));
+  const MachinePath placed{shared, {}};
   const bool with_jerk = settings.text("jerk") == "on";  // it uses the model's law where that is faster
-  const Trajectory model_run = with_jerk ? model.simulate(shared, machine, settings, progress) : Trajectory();
+  const Trajectory model_run = with_jerk ? model.simulate(placed, machine, settings, progress) : Trajectory();
   const bool can_be_run =
       model.guarantees(settings).continuity != Continuity::position && model_run.motions().empty();
   const auto lay_path_of = [&](const Trajectory& run) {
     return path_of(run, shared, axes, settings.number("contour_tolerance_mm"), progress);
   };
   TrajectoryBuilder builder =
-      with_jerk ? lay_path_of(model_run) : lay_path_of(model.lay_path(shared, machine, settings, progress));
+      with_jerk ? lay_path_of(model_run) : lay_path_of(model.lay_path(placed, machine, settings, progress));
   builder.stop_with(progress);
   const SlowedLaw slowed_law(model_run, axes);
   AccelerationLaw acceleration_law(axes, 1, builder);

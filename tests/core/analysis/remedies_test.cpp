@@ -150,7 +150,7 @@ TEST(Remedies, CancelledTrialsStop) {
 TEST(PassageTime, OfAllBlocksIsTheCycleTime) {
   for (const ControlModel* model : all_models()) {
     const SimulatedRun run = run_of(corner, model->info().id);
-    const auto last = static_cast<std::uint32_t>(run.input.toolpath->segments.size() - 1);
+    const auto last = static_cast<std::uint32_t>(run.path->segments.size() - 1);
     EXPECT_NEAR(passage_time(*run.trajectory, {0, last}), run.trajectory->duration(), 1e-9);
     double sum = 0;
     for (std::uint32_t i = 0; i <= last; ++i) {
@@ -196,7 +196,7 @@ TEST(Remedies, TheCompressorGainsOnDensePrograms) {
 TEST(PassageTime, OfBlocksUnderASmoothCurveIsThatBetweenTheirPoints) {
   for (const char* id : {"essid", "msaddek"}) {
     const SimulatedRun run = run_of(dense_wave(), id, {"compressor=on"});
-    const auto& segments = run.input.toolpath->segments;
+    const auto& segments = run.path->segments;
     for (std::uint32_t i = 20; i < 180; ++i) {
       const double time = passage_time(*run.trajectory, {i, i});
       EXPECT_GT(time, 0.5 * segments[i].length / 100) << id << " " << i;

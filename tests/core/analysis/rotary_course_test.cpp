@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <random>
@@ -65,7 +66,7 @@ TEST(RotaryCourse, ChangesItsVelocityWithinTheLimitsWhereBlocksMeet) {
   for (const double tolerance : {0.01, 0.05, 0.5}) {
     const TurnedRun run = turned("TRAORI\nG1 F6000 X20 C60 A5\nX40 A5\nX60 C0 A20\nX80 C30\nX100\n", "essid",
                                  {fmt::format("orientation_tolerance_deg={}", tolerance)});
-    ASSERT_GE(run.input.toolpath->turn_joints.size(), 3U);
+    ASSERT_GE(run.path->turn_joints.size(), 3U);
     const double step = 1e-4;
     for (const char name : {'A', 'C'}) {
       const RotaryAxis& axis = *run.setup.machine.kinematics.find(name);
@@ -131,7 +132,7 @@ TEST(MachineAxes, HaveTheVelocityThatHoldsTheTipOnItsPath) {
   for (int i = 100; i < 1900; ++i) {
     const double time = run.trajectory->duration() * i / 2000;
     const State state = run.trajectory->state(time);
-    const SegmentTurn* turn = run.input.toolpath->segment_turn(run.trajectory->path().segment(state.element));
+    const SegmentTurn* turn = run.path->segment_turn(run.trajectory->path().segment(state.element));
     if (turn == nullptr || !turn->at_tip) {
       continue;
     }
@@ -376,12 +377,12 @@ TEST(RotaryReason, IsTheVelocityOfTheAxisOverItsTurnByThePath) {
     found += 1;
   }
   EXPECT_GT(found, 100);
-  ASSERT_EQ(run.input.toolpath->singular_places.size(), 1U);
-  const SingularPlace& place = run.input.toolpath->singular_places.front();
-  EXPECT_EQ(place.line, 3U);
-  EXPECT_EQ(place.axis, 'C');
-  EXPECT_NEAR(place.speed, 5, 1e-9);
-  EXPECT_NEAR(place.tilt, 5 * deg, 1e-9);
+  const auto note = std::ranges::find(run.path.faults, "rotary-feed", &Diagnostic::code);
+  ASSERT_NE(note, run.path.faults.end());
+  EXPECT_EQ(note->line, 3U);
+  EXPECT_THAT(note->message.english(), testing::StartsWith("axis C holds the feed at 300 of "));
+  EXPECT_THAT(note->message.english(), testing::EndsWith("the tool is 5 degrees from its axis"));
+  EXPECT_THAT(note->hint.english(), testing::HasSubstr("one of 1 such places"));
 }
 
 /// The blade has short blocks, corners and joints, and every limit of every axis holds somewhere.

@@ -28,7 +28,7 @@ std::vector<std::string> known(std::vector<std::string> more = {}) {
 
 double swing_time(const TurnedRun& run) {
   double sum = 0;
-  for (const ToolpathPause& pause : run.input.toolpath->pauses) {
+  for (const ToolpathPause& pause : run.path->pauses) {
     sum += pause.kind == Pause::swing ? pause.time : 0;
   }
   return sum;

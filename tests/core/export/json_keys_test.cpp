@@ -104,17 +104,18 @@ class Files {
     const Run second = simulate_run(corners, session("ward", 0.05));
     for (const Run* each : {&run, &second}) {
       const ContourReport contour = contour_report(*each, 50);
-      add('s', simulation_json(each->input, figures_of(*each), &contour));
-      add('e', explanation_json(each->input, figures_of(*each), time_report(*each, OperationSplit::tool)));
+      add('s', simulation_json(*each, figures_of(*each), &contour));
+      add('e', explanation_json(*each, figures_of(*each), time_report(*each, OperationSplit::tool)));
     }
     const std::vector<std::string> place{"tool_length_mm=100", "part_zero_x_mm=0", "part_zero_y_mm=0",
                                          "part_zero_z_mm=-300"};
     const Setup with_rotary_axes = make_setup({"five-axis-table-ac", "gassara", 0.05, place});
     std::vector<std::string> all_of_both = drive_of_x;
     all_of_both.insert(all_of_both.end(), place.begin(), place.end());
-    add('s', simulation_json(corners, figures_of(simulate_run(corners, with_rotary_axes)), nullptr));
+    const Run turned = simulate_run(corners, with_rotary_axes);
+    add('s', simulation_json(turned, figures_of(turned), nullptr));
     for (const LoadedProgram* each : {&program, &corners}) {
-      add('k', check_json(*each));
+      add('k', check_json(*each, {each->toolpath, {}}));
       // One right angle is passed slower with a blend than with a stop.
       std::vector<Setup> setups;
       for (const double tolerance : {0.0, 0.001, 0.1}) {

@@ -65,7 +65,12 @@ struct Sample {
     loaded.read_time = 0.5;
     return loaded;
   }
-  std::string text() const { return simulation_json(loaded(), run); }
+  Run whole() const {
+    Run whole;
+    whole.input = loaded();
+    return whole;
+  }
+  std::string text() const { return simulation_json(whole(), run); }
 };
 
 TEST(SimulationJson, HoldsTheKeysOfTheDesignInTheirOrder) {
@@ -145,9 +150,9 @@ TEST(SimulationJson, SurvivesBytesThatAreNoUtf8) {
 TEST(Json, GivesAProgramAndARunTheSameKeysInEveryCommand) {
   const Sample sample;
   const LoadedProgram loaded = sample.loaded();
-  const Json simulation = Json::parse(simulation_json(loaded, sample.run));
+  const Json simulation = Json::parse(simulation_json(sample.whole(), sample.run));
   const Json comparison = Json::parse(comparison_json(loaded, std::vector{sample.run}));
-  const Json check = Json::parse(check_json(loaded));
+  const Json check = Json::parse(check_json(loaded, {loaded.toolpath, {}}));
   EXPECT_EQ(comparison["program"], simulation["program"]);
   EXPECT_EQ(check["program"], simulation["program"]);
   EXPECT_EQ(check["diagnostics"], simulation["diagnostics"]);

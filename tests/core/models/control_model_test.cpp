@@ -36,7 +36,7 @@ TEST(ControlModel, LaysThePathThatItRuns) {
     for (const ControlModel* model : all_models()) {
       const Settings settings = complete_settings(*model, machine);
       const BlendedPath run = model->simulate(path, machine, settings).path();
-      const BlendedPath laid = model->lay_path(path, machine, settings).path();
+      const BlendedPath laid = model->lay_path(on_machine(path, machine, settings), machine, settings).path();
       ASSERT_EQ(laid.size(), run.size()) << model->info().id;
       for (std::size_t e = 0; e < run.size(); ++e) {
         ASSERT_EQ(laid.kind(e), run.kind(e)) << model->info().id;

@@ -86,7 +86,7 @@ double duration_of(const std::string& text, const Machine& on) {
   const Settings settings = complete_settings(klipper, on);
   const LoadedProgram loaded =
       load_program(std::make_shared<const SourceText>(SourceText("test.gcode", text)));
-  return klipper.simulate(klipper.read(loaded.toolpath, settings).path, on, settings).duration();
+  return klipper.simulate(loaded.toolpath, on, settings).duration();
 }
 
 /// A move of the extruder alone is a trapezoid from rest to rest between two stops, as long as a G4 of it.

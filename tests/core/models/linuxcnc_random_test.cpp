@@ -13,7 +13,7 @@
 #include "core/analysis/run/run.h"
 #include "core/base/units.h"
 #include "core/models/linuxcnc/linuxcnc_run.h"
-#include "core/toolpath/machine_toolpath.h"
+#include "core/toolpath/machine_path.h"
 #include "tests/support/folders.h"
 
 namespace feedscope {
@@ -77,8 +77,8 @@ Trajectory motion_of(const RecordedProgram& program) {
     places.set(std::string("part_zero_") + axis + "_mm", 0.0);
   }
   const Machine machine = shipped_machines().load("spinner-mvc850");
-  LinuxCncRun run(on_machine(load_program(source, nullptr, options).toolpath, Machine(), places), machine,
-                  program.settings);
+  LinuxCncRun run(on_machine(load_program(source, nullptr, options).toolpath, Machine(), places).toolpath,
+                  machine, program.settings);
   return run.run(nullptr);
 }
 

@@ -7,7 +7,7 @@
 
 #include "core/analysis/run/run.h"
 #include "core/models/linuxcnc/linuxcnc_run.h"
-#include "core/toolpath/machine_toolpath.h"
+#include "core/toolpath/machine_path.h"
 #include "tests/core/models/control_tables.h"
 
 namespace feedscope {
@@ -44,7 +44,7 @@ std::shared_ptr<const Toolpath> path_of(const std::filesystem::path& file) {
   for (const char axis : {'x', 'y', 'z'}) {
     places.set(std::string("part_zero_") + axis + "_mm", 0.0);
   }
-  return on_machine(load_program(file).toolpath, Machine(), places);
+  return on_machine(load_program(file).toolpath, Machine(), places).toolpath;
 }
 
 Trajectory run_of(const testing::ControlRow& row, const testing::ControlTables& tables) {

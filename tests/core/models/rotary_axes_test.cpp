@@ -8,7 +8,7 @@
 
 #include "core/base/units.h"
 #include "core/models/control_model.h"
-#include "core/toolpath/machine_toolpath.h"
+#include "core/toolpath/machine_path.h"
 #include "tests/support/folders.h"
 
 namespace feedscope {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/base/units.h"
-#include "core/toolpath/machine_toolpath.h"
+#include "core/toolpath/machine_path.h"
 #include "tests/core/toolpath/table_machine.h"
 
 namespace feedscope {
@@ -32,7 +32,7 @@ Program program_of(const std::string& text, Dialect dialect = Dialect::sinumerik
   return read_program(std::make_shared<const SourceText>("test.mpf", text), nullptr, options);
 }
 
-std::shared_ptr<const Toolpath> path_on_table(const std::string& text, const std::vector<double>& angles) {
+MachinePath path_on_table(const std::string& text, const std::vector<double>& angles) {
   Settings settings;
   settings.set("part_zero_x_mm", 0.0);
   settings.set("part_zero_y_mm", 0.0);
@@ -83,7 +83,7 @@ TEST(TurnedParts, RunAsTheProgramThatIsTurnedInstead) {
     EXPECT_NEAR(std::remainder(one.to[2] - two.to[2], 2 * units::pi), 0, 1e-7);
     EXPECT_NEAR(one.limit.speed, two.limit.speed, 1e-5 * two.limit.speed);
   }
-  EXPECT_EQ(turned->machine_faults.size(), other->machine_faults.size());
+  EXPECT_EQ(turned.faults.size(), other.faults.size());
 }
 
 TEST(TurnedParts, LeaveTheToolItsDirectionUnderTheWordsOfAxesToo) {
@@ -107,16 +107,16 @@ TEST(TurnedParts, StayWhereTheProgramOnlySendsAxesToAngles) {
   EXPECT_TRUE(path->part.turn.isIdentity());
   ASSERT_EQ(path->rotary_turns.size(), 1U);
   EXPECT_NEAR(path->rotary_turns[0].to[0], 20 * deg, 1e-12);
-  ASSERT_EQ(path->machine_faults.size(), 1U);
-  EXPECT_EQ(path->machine_faults[0].code, "rotary-position");
-  EXPECT_THAT(path->machine_faults[0].message.english(), testing::HasSubstr("the part stays as programmed"));
+  ASSERT_EQ(path.faults.size(), 1U);
+  EXPECT_EQ(path.faults[0].code, "rotary-position");
+  EXPECT_THAT(path.faults[0].message.english(), testing::HasSubstr("the part stays as programmed"));
 }
 
 TEST(TurnedParts, MayBringTheToolOutOfReach) {
   const auto path = path_on_table(
       "TRAORI\nG0 X0 Y0 Z0 A3=0 B3=-0.9 C3=0.436\nG1 F5000 X10 A3=0 B3=-0.91 C3=0.4146\n", {100, 0, 0});
-  ASSERT_FALSE(path->machine_faults.empty());
-  EXPECT_THAT(path->machine_faults[0].message.english(), testing::HasSubstr("in the part as it is turned"));
+  ASSERT_FALSE(path.faults.empty());
+  EXPECT_THAT(path.faults[0].message.english(), testing::HasSubstr("in the part as it is turned"));
 }
 
 TEST(EndlessAxes, GoTheWayThatIsAskedFor) {

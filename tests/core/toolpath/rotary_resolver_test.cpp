@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/units.h"
-#include "core/toolpath/machine_toolpath.h"
+#include "core/toolpath/machine_path.h"
 
 namespace feedscope {
 namespace {
@@ -54,8 +54,7 @@ Program read_for(const std::string& text, Dialect dialect, const std::string& ax
   return read_program(std::make_shared<const SourceText>("test.nc", text), nullptr, options);
 }
 
-std::shared_ptr<const Toolpath> run_on(const Machine& machine, const std::string& text,
-                                       Dialect dialect = Dialect::fanuc) {
+MachinePath run_on(const Machine& machine, const std::string& text, Dialect dialect = Dialect::fanuc) {
   return on_machine(std::make_shared<const Toolpath>(build_toolpath(read_for(text, dialect))), machine,
                     Settings());
 }
@@ -177,14 +176,14 @@ TEST(RotaryMoves, FollowIncrementsAndTheShortestWay) {
 
 TEST(RotaryMoves, BeyondTravelAndOutOfReachAreSaidWithTheirLine) {
   const auto beyond = run_on(trunnion(), "G0 X1\nA70\n");
-  ASSERT_EQ(beyond->machine_faults.size(), 1);
-  EXPECT_EQ(beyond->machine_faults[0].line, 2);
-  EXPECT_EQ(beyond->machine_faults[0].code, "rotary-travel");
-  EXPECT_THAT(beyond->machine_faults[0].message.english(),
+  ASSERT_EQ(beyond.faults.size(), 1);
+  EXPECT_EQ(beyond.faults[0].line, 2);
+  EXPECT_EQ(beyond.faults[0].code, "rotary-travel");
+  EXPECT_THAT(beyond.faults[0].message.english(),
               HasSubstr("axis A goes to 70 degrees, beyond its travel from -100 to 50"));
   const auto out = run_on(trunnion(), "G0 X1\nG68.2 X0 Y0 Z0 I0 J120 K0\nG53.1\n");
-  ASSERT_EQ(out->machine_faults.size(), 1);
-  EXPECT_EQ(out->machine_faults[0].code, "rotary-direction");
+  ASSERT_EQ(out.faults.size(), 1);
+  EXPECT_EQ(out.faults[0].code, "rotary-direction");
   EXPECT_EQ(pause_time(*out), 0);
 }
 
@@ -193,7 +192,7 @@ TEST(RotaryMoves, AreNothingOnAMachineWithoutRotaryAxes) {
   plain.kinematics = {};
   const auto path =
       std::make_shared<const Toolpath>(build_toolpath(read_for("G0 X1\nA45\nG0 X5\n", Dialect::fanuc, "")));
-  EXPECT_EQ(on_machine(path, plain, Settings()), path);
+  EXPECT_EQ(on_machine(path, plain, Settings()).toolpath, path);
   EXPECT_THAT(not_counted(*path).other_axes, ElementsAre("A"));
 }
 
@@ -242,7 +241,7 @@ TEST(RotaryMoves, ReachTheDirectionsOfRandomPlanes) {
   const auto path =
       on_machine(std::make_shared<const Toolpath>(build_toolpath(program)), machine, Settings());
   ASSERT_EQ(path->rotary_turns.size(), asked.size());
-  EXPECT_TRUE(path->machine_faults.empty());
+  EXPECT_TRUE(path.faults.empty());
   for (std::size_t i = 0; i < asked.size(); ++i) {
     const RotaryTurn& turn = path->rotary_turns[i];
     const std::vector<double> places{turn.to[2], turn.to[0], 0, 0, 0};
@@ -272,7 +271,7 @@ TEST(SegmentTurns, HoldTheRotaryAxisWithoutToolCentrePointControl) {
 }
 
 /// The trunnion with the tool and the part in their places: the part zero is on the axis of C.
-std::shared_ptr<const Toolpath> at_tip(const std::string& text, Dialect dialect = Dialect::sinumerik) {
+MachinePath at_tip(const std::string& text, Dialect dialect = Dialect::sinumerik) {
   Machine machine = trunnion();
   machine.kinematics.tool_length = 150;
   Settings settings;
@@ -343,11 +342,10 @@ TEST(SegmentTurns, KeepEveryAxisWithinItsLimitsByFiniteDifferences) {
 
 TEST(SegmentTurns, SayWhatIsMissingToFollowTheTip) {
   const auto path = run_on(trunnion(), "TRAORI\nG0 X100 Y0 Z5\nG1 X110 C90 F1000\n", Dialect::sinumerik);
-  ASSERT_EQ(path->machine_faults.size(), 1);
-  EXPECT_EQ(path->machine_faults[0].severity, Severity::warning);
+  ASSERT_EQ(path.faults.size(), 1);
+  EXPECT_EQ(path.faults[0].severity, Severity::warning);
   EXPECT_EQ(not_counted(*path).tip_followings, 1U);
-  EXPECT_THAT(path->machine_faults[0].message.english(),
-              HasSubstr("not known without tool length and part zero"));
+  EXPECT_THAT(path.faults[0].message.english(), HasSubstr("not known without tool length and part zero"));
   EXPECT_NEAR(path->segment_turns.at(0).limit.speed, 300 / 9.0, 1e-9);
 }
 
@@ -370,13 +368,13 @@ TEST(SegmentTurns, KnowTheTipInEveryDialect) {
 TEST(SegmentTurns, NameTheSlowestPlaceNearTheSingularPosition) {
   // At 5 degrees from the axis of C, which turns by 9 degrees a millimetre: 300/9 mm/s.
   const auto path = at_tip("TRAORI\nG0 X0 Y0 Z5 A5\nG1 X10 C90 F5000\nX20 C120\nX30 C121\n");
-  ASSERT_EQ(path->machine_faults.size(), 1);
-  EXPECT_EQ(path->machine_faults[0].severity, Severity::info);
-  EXPECT_EQ(path->machine_faults[0].line, 3);
-  EXPECT_EQ(path->machine_faults[0].message.english(),
+  ASSERT_EQ(path.faults.size(), 1);
+  EXPECT_EQ(path.faults[0].severity, Severity::info);
+  EXPECT_EQ(path.faults[0].line, 3);
+  EXPECT_EQ(path.faults[0].message.english(),
             "axis C holds the feed at 2000 of 5000 mm/min near its singular position: the tool is 5 degrees "
             "from its axis");
-  EXPECT_TRUE(at_tip("TRAORI\nG0 X0 Y0 Z5 A40\nG1 X10 C90 F5000\n")->machine_faults.empty());
+  EXPECT_TRUE(at_tip("TRAORI\nG0 X0 Y0 Z5 A40\nG1 X10 C90 F5000\n").faults.empty());
 }
 
 /// Directions within 45 degrees of the spindle, none next to it.
@@ -486,12 +484,12 @@ TEST(ToolVectors, ThatCannotBeFollowedAreReported) {
   EXPECT_THAT(codes("TOOL CALL 1 Z S1 F9\nLN X+1 TX+0 TY+0 TZ+1\n", Dialect::heidenhain),
               ElementsAre("a tool direction (TX TY TZ) without M128 or FUNCTION TCPM"));
   const auto below = run_on(trunnion(), "TRAORI\nG1 X10 F100 A3=0 B3=1 C3=-1\n", Dialect::sinumerik);
-  ASSERT_EQ(below->machine_faults.size(), 1U);
-  EXPECT_THAT(below->machine_faults.front().message.english(), HasSubstr("of the tool vector"));
+  ASSERT_EQ(below.faults.size(), 1U);
+  EXPECT_THAT(below.faults.front().message.english(), HasSubstr("of the tool vector"));
   // From one side of the singular position to the other: C turns by 180 degrees or A changes its side.
   const auto across =
       run_on(trunnion(), "TRAORI\nG1 X10 F1000 B3=-0.9 C3=1\nX20 A3=0.9 B3=0 C3=1\n", Dialect::sinumerik);
-  EXPECT_THAT(across->machine_faults,
+  EXPECT_THAT(across.faults,
               testing::Contains(testing::Field(
                   &Diagnostic::message,
                   testing::Property(&Message::english, HasSubstr("turns by 90 degrees within one block")))));

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/base/units.h"
-#include "core/toolpath/machine_toolpath.h"
+#include "core/toolpath/machine_path.h"
 #include "tests/core/toolpath/table_machine.h"
 
 namespace feedscope {
@@ -16,7 +16,7 @@ namespace {
 constexpr double from_table = 400;  // of the tip to the axis of C [mm]
 
 /// A block along C's axis of 100 mm, in which the table turns.
-std::shared_ptr<const Toolpath> block_with(double feed, double turn) {
+MachinePath block_with(double feed, double turn) {
   Machine machine = table_machine();
   machine.kinematics.tool_length = 150;
   Settings settings;

@@ -9,7 +9,7 @@
 
 #include "core/base/units.h"
 #include "core/toolpath/joint_shape.h"
-#include "core/toolpath/machine_toolpath.h"
+#include "core/toolpath/machine_path.h"
 #include "tests/core/toolpath/table_machine.h"
 
 namespace feedscope {
@@ -25,8 +25,8 @@ Settings with(std::initializer_list<std::pair<const char*, double>> values) {
   return settings;
 }
 
-std::shared_ptr<const Toolpath> path_of(const std::string& text, const Settings& settings,
-                                        const Machine& machine = table_machine()) {
+MachinePath path_of(const std::string& text, const Settings& settings,
+                    const Machine& machine = table_machine()) {
   ReadOptions options;
   options.dialect = Dialect::sinumerik;
   options.unit = LengthUnit::mm;

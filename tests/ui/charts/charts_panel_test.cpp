@@ -213,7 +213,7 @@ class ChartsOfALoad : public ChartsPanelTest {
     operation.max_force = 800;
     RunSources sources;
     sources.load = std::make_shared<const RunLoad>(
-        run.trajectory, LoadModel({{operation}, {}}, *run.input.program, *run.input.toolpath));
+        run.trajectory, LoadModel({{operation}, {}}, *run.input.program, *run.path));
     panel.set_run(run.trajectory, std::make_shared<const Envelope>(run.trajectory, sources), false, sources);
     settle();
   }

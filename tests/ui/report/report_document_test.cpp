@@ -99,7 +99,7 @@ TEST(Report, NotesSayTheirLineTimeAndPlace) {
   const auto& run = input.run().shown->run;
   const State from = run.trajectory->state(time_of(*run.trajectory, note.place));
   const State to = run.trajectory->state(time_of(*run.trajectory, note.until));
-  const std::uint32_t line = run.input.toolpath->segments[note.place.segment].line;
+  const std::uint32_t line = run.path->segments[note.place.segment].line;
   const std::string html = filled(input, "{{notes}}");
   EXPECT_THAT(html, HasSubstr(QStringLiteral(">%1 – %2<").arg(line).arg(line + 1).toStdString()));
   EXPECT_THAT(

@@ -33,7 +33,7 @@ class PathSceneTest : public testing::Test {
   }
 
   void show(const feedscope::Run& run, StandardView view) {
-    scene_.set_programmed(run.input.toolpath);
+    scene_.set_programmed(run.path.toolpath);
     scene_.set_executed(run.trajectory);
     scene_.set_standard_view(view);
     window_->Render();
@@ -72,7 +72,7 @@ TEST_F(PathSceneTest, ARunIsNamedAsHiddenWhereTheShownOneCoversIt) {
 /// than that of the same path without.
 TEST_F(PathSceneTest, ZeroPointsOfSeveralOffsetsAreMarked) {
   const auto run = simulate_text("G21 G90 F3000\nG10 L2 P2 X60 Y30\nG54 G1 X20 Y3\nG55 X20 Y30 Z10\nM30\n");
-  const std::vector<ZeroPoint>& points = run.input.toolpath->zero_points;
+  const std::vector<ZeroPoint>& points = run.path->zero_points;
   ASSERT_EQ(points.size(), 2U);
   EXPECT_EQ(points[1].name, "G55");
   EXPECT_EQ(points[1].place, Vec3(60, 30, 0));
@@ -80,7 +80,7 @@ TEST_F(PathSceneTest, ZeroPointsOfSeveralOffsetsAreMarked) {
   EXPECT_FALSE(points[1].assumed);
   show(run, StandardView::top);
   const vtkSmartPointer<vtkUnsignedCharArray> with = pixels();
-  auto plain = std::make_shared<Toolpath>(*run.input.toolpath);
+  auto plain = std::make_shared<Toolpath>(*run.path);
   plain->zero_points.resize(1);
   scene_.set_programmed(plain);
   window_->Render();
@@ -400,7 +400,7 @@ TEST_F(PathSceneTest, TellsOfEveryChange) {
     EXPECT_GE(changes, 1) << what;
     changes = 0;
   };
-  scene_.set_programmed(run.input.toolpath);
+  scene_.set_programmed(run.path.toolpath);
   expect_change("programmed");
   scene_.set_executed(run.trajectory);
   expect_change("executed");

@@ -122,7 +122,7 @@ TEST_F(PathStretchTest, WhatIsHiddenIsNeitherDrawnNorPicked) {
 TEST_F(PathStretchTest, TheProgrammedPathIsHiddenWithTheRest) {
   scene_.set_executed(nullptr);
   scene_.set_executed(run_.trajectory);
-  scene_.set_programmed(run_.input.toolpath);
+  scene_.set_programmed(run_.path.toolpath);
   scene_.set_stretch({PathStretch::to_cursor, true});
   scene_.set_cursor(run_.trajectory->state(0.1 * duration()));
   window_->Render();

@@ -78,7 +78,7 @@ TEST(OnMachine, TheSceneDrawsRunAndToolThere) {
   PathScene scene;
   scene.attach(*window);
   window->SetSize(800, 600);
-  scene.set_programmed(run.input.toolpath);
+  scene.set_programmed(run.path.toolpath);
   scene.set_executed(run.trajectory, std::make_shared<const SampledPath>(samples_of(run)));
   EXPECT_TRUE(scene.knows_machine());
   const double time = run.trajectory->duration() * 0.7;

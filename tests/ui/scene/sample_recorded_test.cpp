@@ -33,7 +33,7 @@ class SampleRecorded : public testing::Test {
     }
     return trace;
   }
-  const Toolpath& toolpath() const { return *run_.input.toolpath; }
+  const Toolpath& toolpath() const { return *run_.path; }
 
   const feedscope::Run run_ =
       test::simulate_text("G21 G17 G90\nG0 X0 Y0 Z0\nG1 X20 F3000\nY20\nG3 X0 Y20 I-10 J0\nM30\n");

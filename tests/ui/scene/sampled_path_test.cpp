@@ -29,7 +29,7 @@ std::string random_program(unsigned seed, int blocks) {
 
 TEST(SampledProgrammed, HoldsTheEndsOfLinesAndPointsOnArcs) {
   const auto run = simulate_text("G21 G90 G17 G94 F1000\nG1 X10 Y0\nG3 X10 Y20 I0 J10\nG1 X0\n", "cam");
-  const SampledPath path = sample_programmed(*run.input.toolpath);
+  const SampledPath path = sample_programmed(*run.path);
   EXPECT_LT((path.position(0) - Vec3(0, 0, 0)).norm(), 1e-5);
   EXPECT_LT((path.position(1) - Vec3(10, 0, 0)).norm(), 1e-5);
   EXPECT_LT((path.position(path.size() - 1) - Vec3(0, 20, 0)).norm(), 1e-5);
@@ -41,7 +41,7 @@ TEST(SampledProgrammed, HoldsTheEndsOfLinesAndPointsOnArcs) {
 
 TEST(SampledProgrammed, TellsRapidsFromCuts) {
   const auto run = simulate_text("G21 G90 G94 F1000\nG0 X10\nG1 Y10\nG0 Z10\n", "cam");
-  const SampledPath path = sample_programmed(*run.input.toolpath);
+  const SampledPath path = sample_programmed(*run.path);
   ASSERT_EQ(path.size(), 4);
   EXPECT_EQ(path.kinds[0], SpanKind::rapid);
   EXPECT_EQ(path.kinds[1], SpanKind::cut);
@@ -70,7 +70,7 @@ TEST(SampledPath, LeavesGapsAtMovesToMachinePositions) {
   for (unsigned seed = 1; seed <= 8; ++seed) {
     for (const char* model : {"cam", "essid", "ward"}) {
       const auto run = simulate_text(program_with_machine_moves(seed), model);
-      const Toolpath& toolpath = *run.input.toolpath;
+      const Toolpath& toolpath = *run.path;
       ASSERT_GT(not_counted(toolpath).machine_moves, 0U);
       const SampledPath programmed = sample_programmed(toolpath);
       EXPECT_NEAR(length_of(programmed, SpanKind::cut) + length_of(programmed, SpanKind::rapid),
@@ -124,7 +124,7 @@ TEST(SampledExecuted, IsAsExactFarFromTheZeroPoint) {
     }
   }
   EXPECT_GT(count, 20U);
-  const SampledPath programmed = sample_programmed(*run.input.toolpath);
+  const SampledPath programmed = sample_programmed(*run.path);
   EXPECT_LT((programmed.position(4) - Vec3(500'000.02, 420'000.02, 0)).norm(), exact);
   EXPECT_LT(programmed.position(0).norm(), 0.1) << "the start is as exact as its distance";
 }
@@ -291,7 +291,7 @@ TEST(SampledExecuted, HoldsTheMotionAtItsTimes) {
 TEST(SampledExecuted, SpansHaveOneCause) {
   const auto run = simulate_text(random_program(6, 40));
   const SampledPath path = sample_executed(run.trajectory);
-  const Bounds& all = run.input.toolpath->bounds;
+  const Bounds& all = run.path->bounds;
   // A part shorter than half of this by the mean of its blend may end in a span.
   const double unseen = 1e-4 * (all.max - all.min).norm();
   int changes = 0;
@@ -335,7 +335,7 @@ TEST(SampledExecuted, FindsTheDeviationsOfItsPointsWhenAsked) {
       EXPECT_TRUE(path.deviations->asked());
       ASSERT_EQ(found.errors.size(), path.size());
       ASSERT_EQ(found.shifts.size(), path.size());
-      PathDeviation deviation(*run.input.toolpath);
+      PathDeviation deviation(*run.path);
       for (std::size_t i = 0; i < path.size(); ++i) {
         const State at = run.trajectory->state(path.times[i]);
         const auto there = deviation(at.position, run.trajectory->path().segment(at.element));

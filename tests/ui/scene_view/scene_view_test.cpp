@@ -23,7 +23,7 @@ class SceneViewTest : public testing::Test {
  protected:
   SceneViewTest() : run_(test::simulate_text(test::small_program)) {
     view_.resize(800, 600);
-    view_.scene().set_programmed(run_.input.toolpath);
+    view_.scene().set_programmed(run_.path.toolpath);
     view_.scene().set_executed(run_.trajectory);
     view_.scene().set_standard_view(StandardView::top);
     view_.show();

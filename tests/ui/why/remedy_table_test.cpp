@@ -83,7 +83,7 @@ TEST_F(RemedyTableTest, NumbersFollowTheLocale) {
 class RemedyJobTest : public testing::Test {
  protected:
   RemedyRequest request(const std::vector<Remedy>& list) const {
-    return {run, list, {0, static_cast<std::uint32_t>(run.input.toolpath->segments.size() - 1)}};
+    return {run, list, {0, static_cast<std::uint32_t>(run.path->segments.size() - 1)}};
   }
   feedscope::Run run = test::simulate_text(test::small_program);
   RemedyJob job;

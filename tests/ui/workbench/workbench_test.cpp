@@ -88,7 +88,7 @@ TEST_F(WorkbenchTest, ReadsTheProgramAnewInAnotherWayAndAnotherProgramAsUsual) {
   model.set_reading(options);
   wait_until_idle(model);
   EXPECT_EQ(model.program()->cutters.at(0).source, CutterSource::asked);
-  EXPECT_EQ(model.shown()->run.input.toolpath->segments.back().end.y(), -4);
+  EXPECT_EQ(model.shown()->run.path->segments.back().end.y(), -4);
   model.reload();
   wait_until_idle(model);
   EXPECT_EQ(model.reading(), options);

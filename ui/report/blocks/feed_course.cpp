@@ -17,7 +17,7 @@ class FeedWalk {
  public:
   FeedWalk(const Run& run, std::size_t parts)
       : trajectory_(*run.trajectory),
-        toolpath_(*run.input.toolpath),
+        toolpath_(*run.path),
         segments_(toolpath_.segments),
         time_(parts),
         programmed_(parts) {
@@ -104,7 +104,7 @@ class FeedWalk {
 }  // namespace
 
 FeedCourse feed_course(const Run& run, std::size_t parts) {
-  const bool cuts = std::ranges::any_of(run.input.toolpath->segments, is_cut);
+  const bool cuts = std::ranges::any_of(run.path->segments, is_cut);
   return cuts && !run.trajectory->pieces().empty() ? FeedWalk(run, parts).course() : FeedCourse();
 }
 

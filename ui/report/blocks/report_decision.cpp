@@ -100,7 +100,7 @@ QString run_faults(const ReportInput& input) {
       known->second.append(run_letter(row));
     };
     const Run& run = input.runs[row].shown->run;
-    if (const Diagnostic* first = first_fault(run.input.toolpath->machine_faults)) {
+    if (const Diagnostic* first = first_fault(run.path.faults)) {
       add(message_text(*first));
     }
     for (const Message& text : texts_about(remarks(run), {Remark::About::validity})) {
@@ -186,7 +186,7 @@ QString line_sample(const ReportInput& input, std::size_t row, ReportPictures& p
 }
 
 std::size_t refused_lines(const ReportRun& run) {
-  return run.shown->run.input.lines_not_run.size();
+  return run.shown->run.lines_not_run.size();
 }
 
 QString decision_chart(const ReportInput& input, ReportPictures& pictures) {

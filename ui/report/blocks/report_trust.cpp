@@ -166,7 +166,7 @@ QString models_part(const ReportInput& input) {
 
 QString program_part(const ReportInput& input) {
   const Program& program = *input.program().program;
-  const ProgramFacts facts = facts_of(program, *input.program().toolpath);
+  const ProgramFacts facts = facts_of(program, *input.runs.front().shown->run.path);
   return trust_heading(ReportWords::tr("Program")) +
          trust_line(ReportWords::tr("%1: %2, %3 lines, path of %4 %5, %6 of it rapid.")
                         .arg(html_text(program_file_name(program)),

@@ -43,7 +43,7 @@ struct Compared {
 };
 
 Compared compare(const Trace& trace, const Run& run) {
-  const ProgrammedCourse course(*run.input.toolpath, {trace.has(0), trace.has(1), trace.has(2)});
+  const ProgrammedCourse course(*run.path, {trace.has(0), trace.has(1), trace.has(2)});
   const TraceOnProgram found = find_on_program(trace, course, deviation_of(*run.trajectory, course, 1e-3));
   return {found, agreement_of(found, course, run)};
 }
@@ -238,9 +238,9 @@ TEST(FeedShare, IsThatOfAnOverrideAndNoneOfTheProgramAsItIs) {
   const std::string text = "G21 G90 G17\nF3000\nG1 X60\nY60\nX0\nY0\nX60 Y60\nM30\n";
   const auto run = run_of(text);
   const auto share = [&](const Trace& trace) {
-    const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+    const ProgrammedCourse course(*run.path, {true, true, true});
     const TraceOnProgram found = find_on_program(trace, course, deviation_of(*run.trajectory, course, 1e-3));
-    return feed_share(agreement_of(found, course, run), course, *run.input.toolpath);
+    return feed_share(agreement_of(found, course, run), course, *run.path);
   };
   EXPECT_FALSE(share(trace_of(run, 1e-3)));
   const auto half = share(trace_of(run_of(text, {"feed_override_percent=50"}), 1e-3));
@@ -260,9 +260,9 @@ Trace counted(Trace trace, double period, TraceClock clock = TraceClock::machine
 }
 
 TraceOnProgram remarked(const Trace& trace, const Run& run) {
-  const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+  const ProgrammedCourse course(*run.path, {true, true, true});
   TraceOnProgram found = find_on_program(trace, course, deviation_of(*run.trajectory, course, 1e-3));
-  add_feed_remark(found, agreement_of(found, course, run), course, *run.input.toolpath);
+  add_feed_remark(found, agreement_of(found, course, run), course, *run.path);
   return found;
 }
 
@@ -313,9 +313,9 @@ TEST(DwellRatio, IsThatOfAWrongRateWhateverMachineAndFeed) {
   }
   const auto run = run_of(text + "M30\n");
   const auto ratio = [&](const Trace& trace) {
-    const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+    const ProgrammedCourse course(*run.path, {true, true, true});
     const Compared compared = compare(trace, run);
-    return dwell_ratio(compared.found.law, compared.agreement.simulated, course, *run.input.toolpath);
+    return dwell_ratio(compared.found.law, compared.agreement.simulated, course, *run.path);
   };
   const std::vector<std::string> other{"X.acceleration=1.3", "Y.acceleration=0.3", "X.velocity=20"};
   const auto fast = ratio(counted(trace_of(run_of(text + "M30\n", other), 2e-3), 2e-3));
@@ -363,7 +363,7 @@ TEST(Agreement, KeepsATraceOfAnotherProgramOfTheSameReachWhereItIs) {
     ++begin;
   }
   trace = part_of(trace, begin, trace.size());
-  const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+  const ProgrammedCourse course(*run.path, {true, true, true});
   const TraceOnProgram found = find_on_program(trace, course, 0.02);
   EXPECT_FALSE(found.belongs());
   EXPECT_EQ(found.pose.offset, Vec3(Vec3::Zero()));
@@ -411,7 +411,7 @@ TEST(Agreement, SaysThatAnAxisDoesNotMoveInTheTrace) {
   const auto run = run_of(program_text);
   Trace trace = trace_of(run, 1e-3);
   change(trace, 1, 0, 0);
-  const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+  const ProgrammedCourse course(*run.path, {true, true, true});
   const TraceOnProgram found = find_on_program(trace, course, 0.02);
   EXPECT_THAT(found.remarks, has_remark("trace-axis-still", "axis Y does not move in the trace"));
 }
@@ -505,7 +505,7 @@ TEST(CornerAgreement, HoldsTheFeedsOfBothThroughEachCorner) {
 
 TEST(PathMatcher, NeverGoesBackAndStaysDuringAPause) {
   const auto run = run_of(program_text);
-  const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+  const ProgrammedCourse course(*run.path, {true, true, true});
   const MotionRecord record = record_of(*run.trajectory, 1e-3);
   const MatchedRecord matched = match_record(course, record, {0.3, 0});
   double before = 0;
@@ -523,7 +523,7 @@ TEST(PathMatcher, NeverGoesBackAndStaysDuringAPause) {
 /// Rounded to steps a motion runs beside the path, and near a sharp corner nearer to the way back.
 TEST(PathMatcher, StaysOnTheWayToASharpCornerBesideThePath) {
   const auto run = run_of("G21 G90 G17\nG1 X30 Y2 F3000\nG4 P0.3\nX0 Y3\nM30\n");
-  const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+  const ProgrammedCourse course(*run.path, {true, true, true});
   MotionRecord record = record_of(*run.trajectory, 4e-3);
   for (Vec3& place : record.place) {
     place.y() += 0.01;
@@ -542,7 +542,7 @@ TEST(PathMatcher, StaysOnTheWayToASharpCornerBesideThePath) {
 TEST(PathMatcher, StaysInANoisyPauseAtAPlaceThatIsPassedAgain) {
   const auto run = run_of(
       "G21 G90 G17\nG1 X0.6 F3000\nG4 P0.5\nG4 P0.5\nX0\nG4 P0.5\nX3\nG4 P0.5\nX0\nG4 P0.5\nX12\nM30\n");
-  const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+  const ProgrammedCourse course(*run.path, {true, true, true});
   for (unsigned seed = 1; seed <= 20; ++seed) {
     std::mt19937 random(seed);
     std::normal_distribution<double> error(0, 3e-4);

@@ -30,7 +30,7 @@ TEST(TraceLikeness, SaysHowATraceThatDoesNotFitWould) {
   const auto run = run_of("G21 G90 G17\nG1 X60 F6000\nX50 Y10\nY40\nX20 Y30\nX5 Y35\nM30\n");
   const Trace trace = trace_of(run, 1e-3);
   const auto remarks_on_it = [&](const Trace& changed) {
-    const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+    const ProgrammedCourse course(*run.path, {true, true, true});
     return find_on_program(changed, course, 0.02).remarks;
   };
   Trace exchanged = trace;
@@ -42,7 +42,7 @@ TEST(TraceLikeness, SaysHowATraceThatDoesNotFitWould) {
   for (double& x : in_micrometres.place[0]) {
     x += 5e6;
   }
-  const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+  const ProgrammedCourse course(*run.path, {true, true, true});
   const TraceOnProgram nowhere = find_on_program(in_micrometres, course, 0.02);
   EXPECT_THAT(
       [&] { agreement_of(nowhere, course, run); },

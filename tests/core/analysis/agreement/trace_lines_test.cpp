@@ -21,7 +21,7 @@ class RepeatedRounds : public testing::Test {
  protected:
   RepeatedRounds()
       : run_(run_of("G21 G90 G17 F3000\nG1 X40\nY20\nX0\nY0\nX40\nY20\nX0\nY0\nX40\nY20\nX0\nY0\nM30\n")),
-        course_(*run_.input.toolpath, {true, true, true}),
+        course_(*run_.path, {true, true, true}),
         whole_(trace_of(run_, 1e-3)) {
     const MatchedRecord matched = match_record(course_, record_of(whole_), {0.3, 0});
     constexpr std::size_t ahead = 6;  // samples that the line is of a later instant
@@ -88,7 +88,7 @@ TEST_F(RepeatedRounds, AreMatchedByPositionWhereTheLinesAreOfAnotherProgram) {
 /// As controls do that join blocks: line 4 is named from the start of line 3 on.
 TEST(FindOnProgram, ATraceThatNamesTheLastOfJoinedBlocksIsFoundOnTheFirst) {
   const auto run = run_of("G21 G90 G17 F3000\nG1 X20\nX40\nX60\nY30\nM30\n");
-  const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+  const ProgrammedCourse course(*run.path, {true, true, true});
   Trace trace = trace_of(run, 1e-3);
   const MatchedRecord matched = match_record(course, record_of(trace), {0.3, 0});
   for (const double s : matched.s) {
@@ -120,7 +120,7 @@ TEST(FindOnProgram, ATraceWithBlockNumbersIsFoundByThem) {
       "N100 G21 G90 G17 F3000\nN110 G1 X40\nN120 Y20\nN130 X0\nN140 Y0\nN150 X40\nN160 Y20\nN170 X0\nN180 "
       "Y0\nM30\n";
   const auto run = run_of(text);
-  const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+  const ProgrammedCourse course(*run.path, {true, true, true});
   const Trace whole = trace_of(run, 1e-3);
   Trace second;
   second.period = whole.period;
@@ -145,7 +145,7 @@ TEST(FindOnProgram, ATraceWithBlockNumbersIsFoundByThem) {
 /// A control stays on the line of a dwell as long as it lasts, here for most of the time.
 TEST(FindOnProgram, LinesOfDwellsAreLinesOfTheProgram) {
   const auto run = run_of("G21 G90 G17 F6000\nG1 X20\nG4 P1\nX0\nG4 P1\nX20\nG4 P1\nX0\nM30\n");
-  const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+  const ProgrammedCourse course(*run.path, {true, true, true});
   Trace trace = trace_of(run, 1e-3);
   for (const double time : trace.time) {
     trace.line.push_back(run.trajectory->state(time).line);

@@ -216,8 +216,8 @@ RunSources with_load(const Run& run) {
   operation.material = "aluminium-7075-t6";
   operation.spindle_speed = 100;
   RunSources sources;
-  sources.load = std::make_shared<const RunLoad>(
-      run.trajectory, LoadModel({{operation}, {}}, *run.input.program, *run.input.toolpath));
+  sources.load = std::make_shared<const RunLoad>(run.trajectory,
+                                                 LoadModel({{operation}, {}}, *run.input.program, *run.path));
   return sources;
 }
 

@@ -11,14 +11,24 @@
 
 namespace feedscope {
 
-/// The same path as a machine with these machine_settings() runs it. Feeds are times the feed override and
+/// A path as a machine runs it, made once by on_machine().
+struct MachinePath {
+  /// With the machine's feeds, pauses, turns and moves; the path given to on_machine() where it changes none.
+  std::shared_ptr<const Toolpath> toolpath;
+  std::vector<Diagnostic> faults;  ///< moves that the machine cannot do, and notes on turns
+
+  const Toolpath& operator*() const { return *toolpath; }
+  const Toolpath* operator->() const { return toolpath.get(); }
+};
+
+/// `path` as a machine with these machine_settings() runs it. Feeds are times the feed override and
 /// within the cutting feeds of X, Y and Z. Blocks take at least block_time_ms; tool changes and spindle
 /// starts take the times given. Moves with two known ends become lines, rapids where the program gives no
 /// feed. Everything else stays as it is. Segments keep their indices, except for pauses in which rotary axes
-/// turn (with_rotary_moves()). A path already made for a machine is made again from its program's path
-/// (Toolpath::programmed). Returns `path` itself where nothing changes. Throws Cancelled when stopped.
-std::shared_ptr<const Toolpath> on_machine(std::shared_ptr<const Toolpath> path, const Machine& machine,
-                                           const Settings& settings, const Progress* progress = nullptr);
+/// turn (with_rotary_moves()). `path`: as programmed or as the control reads it. Throws Cancelled when
+/// stopped.
+MachinePath on_machine(std::shared_ptr<const Toolpath> path, const Machine& machine, const Settings& settings,
+                       const Progress* progress = nullptr);
 
 /// Events of a path without a time, because neither program nor machine gives it.
 struct NotCounted {

@@ -1,4 +1,4 @@
-#include "core/toolpath/machine_toolpath.h"
+#include "core/toolpath/machine_path.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -70,7 +70,7 @@ constexpr const char* two_holes =
     "G21 G90 G54 G17\nT1 M6\nG0 X100 Y50 S1000 M3\nG43 Z5 H1\nG1 Z-20 F200\nX150 F500\nG28 G91 Z0\nG90\nT2 "
     "M6\nG0 X0 Y0\nG43 Z5 H2\nG1 Z-5 F200\nG0 Z50\nM30\n";
 
-TEST(MachineToolpath, BehindAReferencePointThePathGoesOnWhereAllAxesAreProgrammedAgain) {
+TEST(MachinePath, BehindAReferencePointThePathGoesOnWhereAllAxesAreProgrammedAgain) {
   const std::vector<std::string> expected{"0 0 0 > 100 50 0 rapid",
                                           "100 50 0 > 100 50 5 rapid",
                                           "100 50 5 > 100 50 -20",
@@ -81,7 +81,7 @@ TEST(MachineToolpath, BehindAReferencePointThePathGoesOnWhereAllAxesAreProgramme
   EXPECT_EQ(text_of(*path_of(two_holes)), expected);
 }
 
-TEST(MachineToolpath, AMachineThatGivesItsHomeHasTheWholePath) {
+TEST(MachinePath, AMachineThatGivesItsHomeHasTheWholePath) {
   const auto run =
       on_machine(path_of(two_holes), Machine(), machine({0, 0, 500}, {0, 0, 0}, {-300, -200, 100}));
   const std::vector<std::string> expected{"0 0 0 > 100 50 0 rapid",        "100 50 0 > 100 50 5 rapid",
@@ -93,7 +93,7 @@ TEST(MachineToolpath, AMachineThatGivesItsHomeHasTheWholePath) {
   EXPECT_EQ(run->bounds.max.z(), 400);
 }
 
-TEST(MachineToolpath, AZeroPointOfTheProgramStandsForThatOfTheMachine) {
+TEST(MachinePath, AZeroPointOfTheProgramStandsForThatOfTheMachine) {
   const auto path = path_of("G21 G10 L2 P1 X-300 Y-200 Z100\nG54\nG0 X1 Y2 Z3\nG91 G28 Z0\nG90 G1 Z5 F100\n");
   EXPECT_EQ(text_of(*path), (std::vector<std::string>{"0 0 0 > -299 -198 103 rapid", "~"}));
   Settings home;
@@ -105,7 +105,7 @@ TEST(MachineToolpath, AZeroPointOfTheProgramStandsForThatOfTheMachine) {
   EXPECT_EQ(text_of(*on_machine(path, Machine(), home)), expected) << "that of other programs";
 }
 
-TEST(MachineToolpath, CountsWhatHasNoTime) {
+TEST(MachinePath, CountsWhatHasNoTime) {
   const auto path = path_of(std::string(two_holes).replace(0, 0, "M1\n"));
   const NotCounted all = not_counted(*path);
   EXPECT_EQ(all.tool_changes, 2U);
@@ -122,12 +122,10 @@ TEST(MachineToolpath, CountsWhatHasNoTime) {
   }
   EXPECT_EQ(waits, 8);
   EXPECT_EQ(not_counted(*timed), (NotCounted{0, 0, 1, 3}));
-  EXPECT_EQ(not_counted(*on_machine(timed, Machine(), times)), not_counted(*timed))
-      << "worked out anew, to the same";
-  EXPECT_EQ(on_machine(path, Machine(), Settings()), path);
+  EXPECT_EQ(on_machine(path, Machine(), Settings()).toolpath, path);
 }
 
-TEST(MachineToolpath, CuttingFeedsOfAxesHoldForFeedsAndNotForRapids) {
+TEST(MachinePath, CuttingFeedsOfAxesHoldForFeedsAndNotForRapids) {
   const auto path = path_of(
       "G21 G17\nG0 X10 Y0 Z0\nG1 X20 F25000\nY10\nX23 Y14\nX33 F6000\nG2 X43 Y24 J10 F25000\nG18 G2 X53 Z10 "
       "K10\n");
@@ -143,11 +141,9 @@ TEST(MachineToolpath, CuttingFeedsOfAxesHoldForFeedsAndNotForRapids) {
   }
   EXPECT_EQ(feeds, (std::vector<double>{0, 12000, 8000, 10000, 6000, 8000, 12000}));
   EXPECT_EQ(axes, (std::vector<int>{-1, 0, 1, 1, -1, 1, 0})) << "-1: the feed of the program";
-  EXPECT_EQ(run->programmed, path);
-  EXPECT_EQ(on_machine(run, Machine(), Settings()), path);
 }
 
-TEST(MachineToolpath, AFeedOverrideHoldsForFeedsAndNotForRapids) {
+TEST(MachinePath, AFeedOverrideHoldsForFeedsAndNotForRapids) {
   const auto path = path_of("G0 X10\nG1 X20 F600\nG28 Z0\nG1 X40 F60\nM30\n");
   Settings override = machine({0, 0, 500}, {0, 0, 0}, {0, 0, 0});
   override.set("feed_override_percent", 120.0);
@@ -157,17 +153,15 @@ TEST(MachineToolpath, AFeedOverrideHoldsForFeedsAndNotForRapids) {
     EXPECT_EQ(run->segments[i].feed > 0, path->segments[i].feed > 0);
     EXPECT_NEAR(run->segments[i].feed, 1.2 * path->segments[i].feed, 1e-12);
   }
-  EXPECT_EQ(run->programmed, path);
-  EXPECT_EQ(on_machine(run, Machine(), Settings()), path) << "worked out anew";
   override.set("feed_override_percent", 50.0);
-  EXPECT_NEAR(on_machine(run, Machine(), override)->segments[1].feed, 0.5 * path->segments[1].feed, 1e-12);
+  EXPECT_NEAR(on_machine(path, Machine(), override)->segments[1].feed, 0.5 * path->segments[1].feed, 1e-12);
   Settings none;
   none.set("feed_override_percent", 100.0);
-  EXPECT_EQ(on_machine(path, Machine(), none), path);
+  EXPECT_EQ(on_machine(path, Machine(), none).toolpath, path);
 }
 
 /// Two faces and back; on a machine with rotary axes they are pauses that take their time.
-TEST(MachineToolpath, CountsTurnsForTiltedPlanesThatNoAxisMakes) {
+TEST(MachinePath, CountsTurnsForTiltedPlanesThatNoAxisMakes) {
   const auto path = path_of(
       "0 BEGIN PGM A MM\n1 L X+0 Y+0 Z+50 R0 F1000\n2 PLANE SPATIAL SPA+30 SPB+0 SPC+0 TURN FMAX\n3 L X+5 "
       "Y+0 Z+1\n4 PLANE SPATIAL SPA+30 SPB+0 SPC+90 TURN FMAX\n5 L X+5 Y+5 Z+1\n6 PLANE RESET TURN FMAX\n"
@@ -177,7 +171,7 @@ TEST(MachineToolpath, CountsTurnsForTiltedPlanesThatNoAxisMakes) {
   EXPECT_EQ(not_counted(*on_machine(path, table_machine(), Settings())).plane_turns, 0U);
 }
 
-TEST(MachineToolpath, ToolChangesAndSpindleStartsAreThoseThatChangeSomething) {
+TEST(MachinePath, ToolChangesAndSpindleStartsAreThoseThatChangeSomething) {
   const auto count = [](const char* text, Dialect dialect) { return not_counted(*path_of(text, dialect)); };
   const NotCounted fanuc = count("T1 M6\nM6\nT2 M6\nS1 M3\nM3\nM5\nM4\nG0 X1\nT2 M6\nM0\n", Dialect::fanuc);
   EXPECT_EQ(fanuc, (NotCounted{2, 2, 1, 0}));
@@ -192,7 +186,7 @@ TEST(MachineToolpath, ToolChangesAndSpindleStartsAreThoseThatChangeSomething) {
   EXPECT_EQ(heidenhain, (NotCounted{2, 2, 1, 0}));
 }
 
-TEST(MachineToolpath, ReportsAWarningAndNoError) {
+TEST(MachinePath, ReportsAWarningAndNoError) {
   EXPECT_EQ(codes_of(read("G0 X1 Y1 Z1\nG28 G91 Z0\nG90\nG53 Y2\nG30 X0\n", Dialect::fanuc)),
             (std::vector<std::string>{"warning reference-point", "warning machine-position",
                                       "warning reference-point"}));
@@ -201,7 +195,7 @@ TEST(MachineToolpath, ReportsAWarningAndNoError) {
                                       "warning machine-position"}));
 }
 
-TEST(MachineToolpath, AFeedMoveAssumesWhatIsNotKnown) {
+TEST(MachinePath, AFeedMoveAssumesWhatIsNotKnown) {
   const Program program = read("G0 X1 Y2 Z3\nG28 G91 Z0\nG90\nG1 X5 F100\nG2 X7 I1\n", Dialect::fanuc);
   EXPECT_EQ(codes_of(program),
             (std::vector<std::string>{"warning reference-point", "warning unknown-position"}));
@@ -216,7 +210,7 @@ TEST(MachineToolpath, AFeedMoveAssumesWhatIsNotKnown) {
   EXPECT_EQ(text_of(*run)[2], "~") << "how the tool comes back is not known";
 }
 
-TEST(MachineToolpath, ACycleReturnsToItsRetractPlaneWhereTheLevelBeforeItIsNotKnown) {
+TEST(MachinePath, ACycleReturnsToItsRetractPlaneWhereTheLevelBeforeItIsNotKnown) {
   const auto path = path_of("G0 X0 Y0 Z-20\nG28 G91 Z0\nG90\nG0 X9 Y9\nG81 Z-5 R2 F100\nX20\nG80\n");
   for (std::size_t i = 0; i < path->segments.size(); ++i) {
     const Segment& segment = path->segments[i];
@@ -225,7 +219,7 @@ TEST(MachineToolpath, ACycleReturnsToItsRetractPlaneWhereTheLevelBeforeItIsNotKn
   }
 }
 
-TEST(MachineToolpath, CutterCompensationBeginsAgainBehindIt) {
+TEST(MachinePath, CutterCompensationBeginsAgainBehindIt) {
   ReadOptions options;
   options.dialect = Dialect::fanuc;
   options.radii.set("1", 5);

@@ -1,4 +1,4 @@
-#include "core/toolpath/machine_toolpath.h"
+#include "core/toolpath/machine_path.h"
 
 #include <fmt/format.h>
 
@@ -126,7 +126,6 @@ class Resolver {
   Toolpath& changed() {
     if (!copy_) {
       copy_ = std::make_shared<Toolpath>(*path_);
-      copy_->programmed = path_->programmed ? path_->programmed : path_;
     }
     return *copy_;
   }
@@ -163,7 +162,6 @@ std::shared_ptr<const Toolpath> with_feed_override(std::shared_ptr<const Toolpat
     return path;
   }
   auto changed = std::make_shared<Toolpath>(*path);
-  changed->programmed = std::move(path);
   for (Segment& segment : changed->segments) {
     segment.feed *= factor;
   }
@@ -222,7 +220,6 @@ std::shared_ptr<const Toolpath> with_cutting_feeds(std::shared_ptr<const Toolpat
     return path;
   }
   auto changed = std::make_shared<Toolpath>(*path);
-  changed->programmed = path->programmed ? path->programmed : path;
   for (std::size_t i = 0; i < changed->segments.size(); ++i) {
     Segment& segment = changed->segments[i];
     const CuttingFeed cutting = segment.rapid ? CuttingFeed() : most_cutting_feed(*path, i, feeds);
@@ -241,22 +238,21 @@ std::shared_ptr<const Toolpath> with_block_time(std::shared_ptr<const Toolpath> 
     return path;
   }
   auto changed = std::make_shared<Toolpath>(*path);
-  changed->programmed = path->programmed ? path->programmed : std::move(path);
   changed->block_time = time;
   return changed;
 }
 
 }  // namespace
 
-std::shared_ptr<const Toolpath> on_machine(std::shared_ptr<const Toolpath> path, const Machine& machine,
-                                           const Settings& settings, const Progress* progress) {
-  if (path->programmed) {
-    path = path->programmed;
-  }
+MachinePath on_machine(std::shared_ptr<const Toolpath> path, const Machine& machine, const Settings& settings,
+                       const Progress* progress) {
   path = with_cutting_feeds(with_feed_override(std::move(path), settings), settings);
   path = with_block_time(std::move(path), settings);
-  path = with_rotary_moves(std::move(path), machine, settings, progress);
-  return path->pauses.empty() ? path : Resolver(path, settings).run();
+  MachinePath run = with_rotary_moves(std::move(path), machine, settings, progress);
+  if (!run->pauses.empty()) {
+    run.toolpath = Resolver(std::move(run.toolpath), settings).run();
+  }
+  return run;
 }
 
 NotCounted not_counted(const Toolpath& path) {
