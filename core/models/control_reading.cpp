@@ -56,10 +56,10 @@ SettingSpec refuse_setting() {
   };
 }
 
-ControlReading reading_of(Program read, const Toolpath& as_written, bool single_precision) {
+ControlReading reading_of(ReadProgram read, const Toolpath& as_written, bool single_precision) {
   ControlReading reading;
   reading.refused = std::move(read.diagnostics);
-  Toolpath path = take_toolpath(read);
+  Toolpath path = build_toolpath(read);
   path.source = as_written.source;
   path.path_controls = as_written.path_controls;
   path.spindles = as_written.spindles;

@@ -14,6 +14,6 @@ SettingSpec refuse_setting();
 /// up to this rounding, at a point of `as_written` gets exactly this end: the path is the programmed one,
 /// from which the contour error is measured, and the control's numbers follow from it. Next to arcs, and
 /// where the control adds numbers up, points remain those of the control.
-ControlReading reading_of(Program read, const Toolpath& as_written, bool single_precision = false);
+ControlReading reading_of(ReadProgram read, const Toolpath& as_written, bool single_precision = false);
 
 }  // namespace feedscope

@@ -1,8 +1,8 @@
 #pragma once
 
-// Room `program`: NC text to a Program. reader.h finds the dialect; a folder a dialect reads it (language:
-// words, variables, flow; geometry: frames, compensation, motions; cycles) into blocks with modal state
-// resolved: absolute, metric, with arcs, pauses, path control and diagnostics. text/, tools/, path/ and
+// Room `program`: NC text to a ReadProgram. reader.h finds the dialect; a folder a dialect reads it
+// (language: words, variables, flow; geometry: frames, compensation, motions; cycles) into blocks with modal
+// state resolved: absolute, metric, with arcs, pauses, path control and diagnostics. text/, tools/, path/ and
 // cycles/ are shared by the dialects.
 
 #include <cstdint>
@@ -47,7 +47,8 @@ struct MotionBlock {
   double feed = 0;   ///< programmed feed [mm/s]; 0: as fast as the axes allow (rapids, missing feed)
   double dwell = 0;  ///< [s], dwells only
   std::uint32_t line = 0;  ///< 1-based line in the source
-  std::int32_t arc = -1;   ///< arcs: index into Program::arcs; machine moves: into Program::machine_moves
+  /// Arcs: index into ReadProgram::arcs; machine moves: into ReadProgram::machine_moves.
+  std::int32_t arc = -1;
   std::uint16_t path_control = 0;  ///< index into Program::path_controls
   std::uint16_t spindle = 0;       ///< index into Program::spindles
   Motion motion = Motion::line;
@@ -96,9 +97,6 @@ struct Program {
   /// Lines with words, readable or not, up to the program's end; in loops and calls counted each time they
   /// run.
   std::uint64_t block_count = 0;
-  std::vector<MotionBlock> motions;
-  std::vector<ArcWords> arcs;
-  std::vector<MachineMove> machine_moves;
   std::vector<PathControl> path_controls;  ///< the first is the machine's
   std::vector<SpindleState> spindles;      ///< the first is the state before any spindle word
   std::vector<ToolChange> tools;           ///< in the order of their first use
@@ -112,7 +110,6 @@ struct Program {
   std::vector<std::string> other_axes;
   /// Axes of other_axes that no machine counts: all but A, B and C.
   std::vector<std::string> cutting_axes;
-  std::vector<RotaryMove> rotary_moves;  ///< in their order
   /// Bounds of the whole path, arcs with their full extent [mm]. The tool starts at X0 Y0 Z0, an assumed
   /// place that is not part of it: a coordinate is part of it from the first block that programs its axis, or
   /// from the start of the first feed motion.
@@ -120,6 +117,14 @@ struct Program {
   Bounds cutting_bounds;  ///< of the feed motions among it [mm]
   Bounds rapid_bounds;    ///< of the rapids among it [mm]
   std::vector<Diagnostic> diagnostics;
+};
+
+/// A program with its blocks, as read: build_toolpath() makes the path of them.
+struct ReadProgram : Program {
+  std::vector<MotionBlock> motions;
+  std::vector<ArcWords> arcs;
+  std::vector<MachineMove> machine_moves;
+  std::vector<RotaryMove> rotary_moves;  ///< in their order
 };
 
 struct ReadOptions {
@@ -151,7 +156,7 @@ struct ReadOptions {
 /// A wrong line becomes a diagnostic and reading goes on; `progress` may stop the reading (throws Cancelled).
 /// A block with unreadable position words does not move; an impossible arc becomes a line to its end, so that
 /// the position stays correct.
-Program read_program(std::shared_ptr<const SourceText> source, Progress* progress = nullptr,
-                     const ReadOptions& options = {});
+ReadProgram read_program(std::shared_ptr<const SourceText> source, Progress* progress = nullptr,
+                         const ReadOptions& options = {});
 
 }  // namespace feedscope

@@ -28,15 +28,15 @@ void say_centers_are_positions(Program& program, const std::vector<Diagnostic>& 
                                       NC_("core", "program G90.1 if that is right, G91.1 if not")});
 }
 
-Program read_iso(const std::shared_ptr<const SourceText>& source, const ReadOptions& options,
-                 Progress* progress) {
+ReadProgram read_iso(const std::shared_ptr<const SourceText>& source, const ReadOptions& options,
+                     Progress* progress) {
   iso::IsoReader reader(source, options, progress);
-  Program program = reader.read();
+  ReadProgram program = reader.read();
   if (!reader.doubts_centers()) {
     return program;
   }
   iso::IsoReader again(source, options, progress, true);
-  Program other = again.read();
+  ReadProgram other = again.read();
   if (!again.centers_fit()) {
     return program;
   }
@@ -44,8 +44,8 @@ Program read_iso(const std::shared_ptr<const SourceText>& source, const ReadOpti
   return other;
 }
 
-Program read_as(Dialect dialect, std::shared_ptr<const SourceText> source, const ReadOptions& options,
-                Progress* progress) {
+ReadProgram read_as(Dialect dialect, std::shared_ptr<const SourceText> source, const ReadOptions& options,
+                    Progress* progress) {
   switch (dialect) {
     case Dialect::sinumerik:
       return sinumerik::SinumerikReader(std::move(source), options, progress).read();
@@ -72,12 +72,12 @@ void say_foreign(Program& program, const ForeignLanguage& language) {
 
 }  // namespace
 
-Program read_program(std::shared_ptr<const SourceText> source, Progress* progress,
-                     const ReadOptions& options) {
+ReadProgram read_program(std::shared_ptr<const SourceText> source, Progress* progress,
+                         const ReadOptions& options) {
   ReadOptions resolved = options;
   resolved.dialect = options.dialect.value_or(recognise(*source));
   const std::optional<ForeignLanguage> foreign = options.dialect ? std::nullopt : recognise_foreign(*source);
-  Program program = read_as(*resolved.dialect, std::move(source), resolved, progress);
+  ReadProgram program = read_as(*resolved.dialect, std::move(source), resolved, progress);
   if (foreign) {
     say_foreign(program, *foreign);
   }

@@ -28,7 +28,7 @@ Reader::Reader(std::shared_ptr<const SourceText> source, const ReadOptions& opti
   program_.given_offsets = options.offsets;
 }
 
-Program Reader::read() {
+ReadProgram Reader::read() {
   program_.motions.reserve(std::min<std::size_t>(program_.source->line_count(), std::size_t{1} << 24));
   while (!lines_.ended()) {
     if (!lines_.advance()) {

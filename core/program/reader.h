@@ -19,7 +19,7 @@ class Reader {
   Reader& operator=(const Reader&) = delete;
 
   /// Runs the whole program, once.
-  Program read();
+  ReadProgram read();
 
  protected:
   using Text = DiagnosticLog::Text;
@@ -55,7 +55,7 @@ class Reader {
 
   ReadOptions options_;
   Progress* progress_;
-  Program program_;
+  ReadProgram program_;
   DiagnosticLog log_;
   PathWriter path_;
   LineRunner lines_;

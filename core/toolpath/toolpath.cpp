@@ -117,7 +117,7 @@ double Toolpath::length() const {
   return sum;
 }
 
-Toolpath build_toolpath(const Program& program) {
+Toolpath build_toolpath(const ReadProgram& program) {
   Toolpath toolpath;
   toolpath.source = is_g_code(program.dialect) ? program.source : nullptr;
   toolpath.bounds = program.bounds;
@@ -203,15 +203,6 @@ Toolpath build_toolpath(const Program& program) {
     toolpath.segments.push_back(segment);
   }
   take_turns(std::numeric_limits<std::uint64_t>::max());
-  return toolpath;
-}
-
-Toolpath take_toolpath(Program& program) {
-  Toolpath toolpath = build_toolpath(program);
-  program.motions = std::vector<MotionBlock>();
-  program.arcs = std::vector<ArcWords>();
-  program.machine_moves = std::vector<MachineMove>();
-  program.rotary_moves = std::vector<RotaryMove>();
   return toolpath;
 }
 

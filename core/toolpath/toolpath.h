@@ -1,8 +1,8 @@
 #pragma once
 
-// Room `toolpath`: a Program as geometry. Segments with length and curve; on a machine (machine_path.h) also
-// the turns of rotary axes, the limits that these set along the path (turn_limiter.h) and the moves to its
-// positions.
+// Room `toolpath`: the blocks of a ReadProgram as geometry, segments with length and curve. A MachinePath
+// (machine_path.h) is such a path on a machine, with the turns of rotary axes, the limits that these set
+// along the path (turn_limiter.h) and the moves to the positions of the machine.
 
 #include <array>
 #include <cstdint>
@@ -164,7 +164,8 @@ struct Toolpath {
   Bounds bounds;                                          ///< as Program::bounds [mm]
   std::vector<std::string> other_axes;                    ///< as Program::other_axes
   std::vector<std::string> cutting_axes;                  ///< as Program::cutting_axes
-  /// As Program::rotary_moves with segments for motions; empty once a machine has turned them into pauses.
+  /// As ReadProgram::rotary_moves with segments for motions; empty once a machine has turned them into
+  /// pauses.
   std::vector<RotaryMove> rotary_moves;
   std::vector<SegmentTurn> segment_turns;  ///< rotary axes turn in these; by segment
   std::vector<TurnJoint> turn_joints;      ///< by segment
@@ -213,8 +214,6 @@ struct Toolpath {
 /// Turns blocks into segments: arcs get frames, helices stay helices, blocks that do not move vanish. Ends
 /// are exactly the programmed points; a line no longer than same_point vanishes too, unless an arc begins at
 /// its end.
-Toolpath build_toolpath(const Program& program);
-/// The same; takes the motions and arcs out of `program`, which the toolpath replaces.
-Toolpath take_toolpath(Program& program);
+Toolpath build_toolpath(const ReadProgram& program);
 
 }  // namespace feedscope

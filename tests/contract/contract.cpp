@@ -53,7 +53,7 @@ std::vector<Finding> check_run(const MachinePath& path, const Inputs& inputs) {
 
 std::vector<Finding> check_case(const Case& example) {
   try {
-    const Program program =
+    const ReadProgram program =
         read_program(std::make_shared<const SourceText>(SourceText("program", text_of(example))), nullptr,
                      reading_on({}, example.machine));
     const ControlModel& model = find_model(example.model);

@@ -198,7 +198,7 @@ TEST(TurnCeilingContract, LosesAtMostTwoPercentAgainstManyShortBlocks) {
     for (int i = 1; i <= blocks; ++i) {
       text += place(static_cast<double>(i) / blocks, far) + "\n";
     }
-    const Program program =
+    const ReadProgram program =
         read_program(std::make_shared<const SourceText>("far.nc", text), nullptr, reading_on({}, machine));
     const ControlModel& run = find_model(model);
     return run.simulate(build_toolpath(program), machine, complete_settings(run, machine)).duration();

@@ -36,9 +36,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } catch (const InputError&) {
     return -1;  // no text
   }
-  Program program = read_program(source, nullptr, options);
+  ReadProgram program = read_program(source, nullptr, options);
   const std::string wrong = insane_part(program);
-  const Toolpath toolpath = take_toolpath(program);
+  const Toolpath toolpath = build_toolpath(program);
   fuzz::must(wrong.empty(), wrong);
   fuzz::must(std::isfinite(toolpath.length()), "path length");
   return 0;

@@ -10,7 +10,7 @@
 namespace feedscope {
 
 /// What nothing that follows could work with in a program read from any text whatever; "" if all is well.
-inline std::string insane_part(const Program& program) {
+inline std::string insane_part(const ReadProgram& program) {
   for (std::size_t i = 0; i < program.motions.size(); ++i) {
     const MotionBlock& block = program.motions[i];
     const bool numbers = block.target.allFinite() && std::isfinite(block.feed) && block.feed >= 0 &&

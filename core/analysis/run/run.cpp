@@ -79,6 +79,19 @@ Message with_likely_cause(const Message& limit, const Program& program) {
                            why));
 }
 
+/// The messages of the reader, after that on the chord error and before that on a motion `beyond` machines.
+Program with_path_messages(Program program, const LoadedProgram& loaded,
+                           const std::optional<Diagnostic>& beyond) {
+  if (loaded.chord_error) {
+    program.diagnostics.insert(program.diagnostics.begin(),
+                               chord_error_message(*loaded.chord_error, loaded.feed_controls));
+  }
+  if (beyond) {
+    program.diagnostics.push_back(*beyond);
+  }
+  return program;
+}
+
 /// None without operations. Throws InputError as LoadModel does.
 std::optional<LoadModel> load_model(const Run& run, const LoadSetup& load) {
   return load.empty() ? std::nullopt
@@ -110,21 +123,18 @@ LoadedProgram load_program(std::shared_ptr<const SourceText> source, Progress* p
                            const ReadOptions& options) {
   const StopWatch watch;
   LoadedProgram loaded;
-  Program program = read_program(std::move(source), progress, options);
-  loaded.toolpath = std::make_shared<const Toolpath>(take_toolpath(program));
-  loaded.refused = program.cut_off && !options.simulate_cut_off;
-  if (const std::optional<Diagnostic> beyond = beyond_machines(*loaded.toolpath)) {
-    loaded.refused = true;
-    program.diagnostics.push_back(*beyond);
+  Program program;
+  {
+    ReadProgram read = read_program(std::move(source), progress, options);
+    loaded.toolpath = std::make_shared<const Toolpath>(build_toolpath(read));
+    program = std::move(read);  // without its blocks: a long program would take twice the memory
   }
   loaded.feed_controls = controls_of_feed_motions(*loaded.toolpath);
   loaded.chord_error = chord_error_of(*loaded.toolpath);
   loaded.largest_feed = largest_feed_of(*loaded.toolpath);
-  if (loaded.chord_error) {
-    program.diagnostics.insert(program.diagnostics.begin(),
-                               chord_error_message(*loaded.chord_error, loaded.feed_controls));
-  }
-  loaded.program = std::make_shared<const Program>(std::move(program));
+  const std::optional<Diagnostic> beyond = beyond_machines(*loaded.toolpath);
+  loaded.refused = beyond || (program.cut_off && !options.simulate_cut_off);
+  loaded.program = std::make_shared<const Program>(with_path_messages(std::move(program), loaded, beyond));
   loaded.read_time = watch.seconds();
   return loaded;
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-// Room `analysis`, a folder a topic. Here `run`: a program is loaded once, set up, simulated, summarised. The
-// other topics read a Run: contour error, time, rotary axes, notes, differences, studies, explanations,
-// envelopes for charts, agreement with traces.
+// Room `analysis`, a folder a topic. Here `run`: a program is loaded once, read by the control, put on the
+// machine, simulated and summarised. The other topics read a Run: contour error, time, rotary axes, notes,
+// differences, studies, explanations, envelopes for charts, agreement with traces.
 
 #include <filesystem>
 #include <memory>
@@ -20,7 +20,7 @@ namespace feedscope {
 
 /// A program, read once and shared by all runs on it.
 struct LoadedProgram {
-  std::shared_ptr<const Program> program;  ///< its motions have been moved to the toolpath
+  std::shared_ptr<const Program> program;
   std::shared_ptr<const Toolpath> toolpath;
   /// Path controls of the feed motions, each once, in the order of first use.
   std::vector<PathControl> feed_controls;

@@ -44,7 +44,7 @@ class GrblReader {
     program_.spindles.emplace_back();
   }
 
-  Program read(const Progress* progress) {
+  ReadProgram read(const Progress* progress) {
     const SourceText& text = *program_.source;
     GrblCommands commands;
     for (number_ = 1; number_ <= text.line_count(); ++number_) {
@@ -441,7 +441,7 @@ class GrblReader {
   }
 
   float arc_tolerance_;
-  Program program_;
+  ReadProgram program_;
   GrblLine line_;
   std::uint32_t number_ = 0;
   std::string used_;  ///< letters of the line used by a command
@@ -460,8 +460,8 @@ class GrblReader {
 
 }  // namespace
 
-Program read_as_grbl(std::shared_ptr<const SourceText> source, float arc_tolerance,
-                     const Progress* progress) {
+ReadProgram read_as_grbl(std::shared_ptr<const SourceText> source, float arc_tolerance,
+                         const Progress* progress) {
   return GrblReader(std::move(source), arc_tolerance).read(progress);
 }
 

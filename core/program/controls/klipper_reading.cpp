@@ -55,7 +55,7 @@ class KlipperReader {
     program_.spindles.emplace_back();
   }
 
-  Program read(const Progress* progress) {
+  ReadProgram read(const Progress* progress) {
     const SourceText& text = *program_.source;
     for (number_ = 1; number_ <= text.line_count(); ++number_) {
       stop_if_cancelled(progress);
@@ -327,7 +327,7 @@ class KlipperReader {
   }
 
   KlipperSettings limits_;
-  Program program_;
+  ReadProgram program_;
   KlipperLine line_;
   std::uint32_t number_ = 0;
   Vec3 place_ = Vec3::Zero();   ///< [mm]
@@ -343,8 +343,8 @@ class KlipperReader {
 
 }  // namespace
 
-Program read_as_klipper(std::shared_ptr<const SourceText> source, const KlipperSettings& limits,
-                        const Progress* progress) {
+ReadProgram read_as_klipper(std::shared_ptr<const SourceText> source, const KlipperSettings& limits,
+                            const Progress* progress) {
   return KlipperReader(std::move(source), limits).read(progress);
 }
 

@@ -12,7 +12,7 @@ namespace feedscope {
 /// command; unknown commands and those with errors have no effect and are notes of code "refused". Rapids run
 /// at the feed in force. Moves of the extruder alone become dwells of the time that they take within
 /// `limits`, which M204 and SET_VELOCITY_LIMIT change.
-Program read_as_klipper(std::shared_ptr<const SourceText> source, const KlipperSettings& limits,
-                        const Progress* progress = nullptr);
+ReadProgram read_as_klipper(std::shared_ptr<const SourceText> source, const KlipperSettings& limits,
+                            const Progress* progress = nullptr);
 
 }  // namespace feedscope

@@ -9,7 +9,7 @@ namespace feedscope {
 
 namespace {
 
-CutSize cut_size(const Program& program) {
+CutSize cut_size(const ReadProgram& program) {
   CutSize cut;
   for (const MotionBlock& motion : program.motions) {
     if (motion.motion == Motion::line || motion.motion == Motion::arc) {

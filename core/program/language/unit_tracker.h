@@ -12,7 +12,7 @@ namespace feedscope {
 class UnitTracker {
  public:
   /// Both outlive it.
-  UnitTracker(const ReadOptions& options, Program& program) : options_(options), program_(program) {}
+  UnitTracker(const ReadOptions& options, ReadProgram& program) : options_(options), program_(program) {}
 
   /// Unit until the program programs one.
   LengthUnit first() const { return options_.unit.value_or(LengthUnit::mm); }
@@ -29,9 +29,9 @@ class UnitTracker {
   bool has_motion() const { return first_motion_ < program_.motions.size(); }
 
   const ReadOptions& options_;
-  Program& program_;
+  ReadProgram& program_;
   std::optional<LengthUnit> programmed_;
-  std::size_t first_motion_ = 0;  ///< the first of Program::motions with a length, once settled_
+  std::size_t first_motion_ = 0;  ///< the first of ReadProgram::motions with a length, once settled_
   bool settled_ = false;
 };
 

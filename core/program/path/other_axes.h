@@ -40,12 +40,12 @@ AxisBlock turning_alone(const PathWriter& path, double unit, bool rapid);
 inline constexpr std::string_view orientation_axis = "tool orientation";
 
 /// Axes other than X, Y and Z. Program::other_axes names those that move. Each is reported once for each kind
-/// of motion, unless it is a rotary axis of ReadOptions. Program::rotary_moves contains the moves of A, B and
-/// C.
+/// of motion, unless it is a rotary axis of ReadOptions. ReadProgram::rotary_moves contains the moves of A, B
+/// and C.
 class OtherAxes {
  public:
   /// All outlive it.
-  OtherAxes(Program& program, const LineRunner& lines, DiagnosticLog& log, const ReadOptions& options)
+  OtherAxes(ReadProgram& program, const LineRunner& lines, DiagnosticLog& log, const ReadOptions& options)
       : program_(program), lines_(lines), log_(log), options_(options) {}
 
   /// Moves an axis to `target` [mm], [deg]; orientation_axis means several
@@ -75,7 +75,7 @@ class OtherAxes {
                  const AxisBlock& block);
   void report_feed(char axis, bool at_tip, std::uint32_t column);
 
-  Program& program_;
+  ReadProgram& program_;
   const LineRunner& lines_;
   DiagnosticLog& log_;
   const ReadOptions& options_;

@@ -38,7 +38,7 @@ ArcShape shape_of(const Vec3& start, const ArcSolution::Piece& piece) {
 
 }  // namespace
 
-PathWriter::PathWriter(Program& program, DiagnosticLog& log)
+PathWriter::PathWriter(ReadProgram& program, DiagnosticLog& log)
     : program_(program), log_(log), extents_(program), feed_(log), corners_(log), compensation_(log) {
   program_.path_controls.emplace_back();
 }

@@ -45,7 +45,7 @@ struct ArcRequest {
 class PathWriter {
  public:
   /// Both outlive it.
-  PathWriter(Program& program, DiagnosticLog& log);
+  PathWriter(ReadProgram& program, DiagnosticLog& log);
 
   /// Assigns everything that follows to this line: `shown` of the program, `place` of the words.
   void begin_line(std::uint32_t shown, const DiagnosticLog::Place& place);
@@ -167,7 +167,7 @@ class PathWriter {
   ContourPlane plane_in_frame(const ContourPlane& plane) const;
   std::uint16_t path_control_index();
 
-  Program& program_;
+  ReadProgram& program_;
   DiagnosticLog& log_;
   DiagnosticLog::Place place_;
   std::uint32_t line_ = 0;

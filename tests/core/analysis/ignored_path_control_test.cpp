@@ -16,7 +16,7 @@ using testing::IsEmpty;
 /// A line under the words of a Sinumerik program.
 std::vector<std::string> ignored_of(const std::string& words, const std::string& model,
                                     std::vector<std::string> assignments = {}) {
-  const Program program = read_text(words + "\nG1 X10 F1000\nX20 Y5\n", {.dialect = Dialect::sinumerik});
+  const ReadProgram program = read_text(words + "\nG1 X10 F1000\nX20 Y5\n", {.dialect = Dialect::sinumerik});
   SetupRequest request;
   request.model = model;
   request.assignments = std::move(assignments);

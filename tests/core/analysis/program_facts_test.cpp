@@ -6,7 +6,7 @@ namespace feedscope {
 namespace {
 
 ProgramFacts facts_of_text(const std::string& text) {
-  const Program program = read_program(std::make_shared<const SourceText>("part.nc", text));
+  const ReadProgram program = read_program(std::make_shared<const SourceText>("part.nc", text));
   return facts_of(program, build_toolpath(program));
 }
 

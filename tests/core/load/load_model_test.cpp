@@ -29,7 +29,7 @@ Engagement mill(const std::string& tool, std::vector<ProgramLines> lines = {}) {
 }
 
 struct Read {
-  Program program;
+  ReadProgram program;
   Toolpath path;
 
   explicit Read(const std::string& text, ReadOptions options = {})

@@ -243,7 +243,7 @@ int fact_count(const nlohmann::json& facts, const std::vector<const char*>& name
 }
 
 /// Of places along the arcs, which FACTS.json leaves out: it scans the programmed points.
-Bounds sampled_arcs(const Program& program) {
+Bounds sampled_arcs(const ReadProgram& program) {
   constexpr int samples = 2000;
   Bounds bounds;
   Vec3 start = Vec3::Zero();
@@ -270,7 +270,7 @@ Bounds sampled_arcs(const Program& program) {
   return bounds;
 }
 
-void expect_extent(const Program& program, const Bounds& arcs, const nlohmann::json& facts,
+void expect_extent(const ReadProgram& program, const Bounds& arcs, const nlohmann::json& facts,
                    const CorpusCase& expected, int axis) {
   const char letter = "XYZ"[axis];
   const auto other = std::find_if(expected.extents.begin(), expected.extents.end(),
@@ -293,7 +293,7 @@ void expect_extent(const Program& program, const Bounds& arcs, const nlohmann::j
 
 /// What the words of a block say, though its path is not known; none of those that move to the machine
 /// position.
-std::optional<Motion> written_motion(const Program& program, const MotionBlock& block) {
+std::optional<Motion> written_motion(const ReadProgram& program, const MotionBlock& block) {
   if (block.motion != Motion::dwell || block.pause == Pause::dwell) {
     return block.motion;
   }
@@ -310,7 +310,7 @@ TEST_P(CorpusFacts, MotionsArcsAndExtentAgreeOrTheReasonIsKnown) {
   }
   const CorpusCase& expected = GetParam();
   const auto facts = nlohmann::json::parse(std::ifstream(corpus / "FACTS.json"))[expected.file];
-  const Program program =
+  const ReadProgram program =
       read_program(std::make_shared<const SourceText>(SourceText::from_file(corpus / expected.file)));
   const auto count = [&](Motion motion) {
     return static_cast<int>(
@@ -339,7 +339,7 @@ TEST(Corpus, CentresThatFitAsPositionsOnlyAreTakenSo) {
   if (!std::filesystem::exists(corpus)) {
     GTEST_SKIP() << "no collection of real programs at " << corpus;
   }
-  const Program bottle = read_program(std::make_shared<const SourceText>(
+  const ReadProgram bottle = read_program(std::make_shared<const SourceText>(
       SourceText::from_file(corpus / "iso_fanuc" / "MaestroFusion360__BOTTLE.NC")));
   EXPECT_EQ(std::count_if(bottle.diagnostics.begin(), bottle.diagnostics.end(),
                           [](const Diagnostic& diagnostic) { return diagnostic.code == "arc-centers"; }),

@@ -8,18 +8,18 @@
 namespace feedscope {
 namespace {
 
-Program read(const std::string& name, const std::string& text, const ReadOptions& options = {}) {
+ReadProgram read(const std::string& name, const std::string& text, const ReadOptions& options = {}) {
   return read_program(std::make_shared<const SourceText>(name, text), nullptr, options);
 }
 
-bool is_foreign(const Program& program) {
+bool is_foreign(const ReadProgram& program) {
   return !program.diagnostics.empty() && program.diagnostics.front().code == "unsupported-control";
 }
 
 constexpr const char* okuma = "N1 G15 H1\nG0 X10 Y0\nG56 H2 Z50\nVC1=5\nCALL O100\nG1 X20 F100\nM2\n";
 
 TEST(ForeignLanguage, OkumaIsRecognisedAndNotTakenForAnother) {
-  const Program program = read("part.nc", okuma);
+  const ReadProgram program = read("part.nc", okuma);
   EXPECT_EQ(program.dialect, Dialect::iso);
   ASSERT_TRUE(is_foreign(program));
   EXPECT_EQ(

@@ -19,7 +19,7 @@ struct Case {
 class IsoDiagnostics : public testing::TestWithParam<Case> {};
 
 TEST_P(IsoDiagnostics, NamesPlaceThingValueAndWhatToDo) {
-  const Program program = read_text(GetParam().text);
+  const ReadProgram program = read_text(GetParam().text);
   ASSERT_EQ(program.diagnostics.size(), 1U) << GetParam().text;
   EXPECT_EQ(format(program.diagnostics[0], "f"), GetParam().expected);
 }
@@ -176,7 +176,7 @@ TEST(IsoDiagnostics, ColumnsCountBytesFromOneInEveryStyle) {
 }
 
 TEST(IsoDiagnostics, TextInMessagesIsShortAndPlain) {
-  const Program program = read_text("G0 X1\nX[\xFE\xFF" + std::string(500, '1') + "]");
+  const ReadProgram program = read_text("G0 X1\nX[\xFE\xFF" + std::string(500, '1') + "]");
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_THAT(program.diagnostics[0].message.english(), HasSubstr("\"??1111"));
   EXPECT_LT(program.diagnostics[0].message.english().size(), 100U);
@@ -185,7 +185,7 @@ TEST(IsoDiagnostics, TextInMessagesIsShortAndPlain) {
 TEST(IsoDiagnostics, EveryGCodeOnceSaysAtMostOneThing) {
   for (int tenfold = 0; tenfold < 10000; ++tenfold) {
     const std::string word = "G" + std::to_string(tenfold / 10) + "." + std::to_string(tenfold % 10);
-    const Program program = read_text("G0 X1\n" + word + "\nG0 X2");
+    const ReadProgram program = read_text("G0 X1\n" + word + "\nG0 X2");
     EXPECT_LE(program.diagnostics.size(), 1U) << word;
   }
 }

@@ -10,20 +10,20 @@ namespace feedscope {
 namespace {
 
 /// Reads a program that must be free of diagnostics.
-Program read_clean(std::string text, const ReadOptions& options = {}) {
-  Program program = read_text(std::move(text), options);
+ReadProgram read_clean(std::string text, const ReadOptions& options = {}) {
+  ReadProgram program = read_text(std::move(text), options);
   for (const Diagnostic& diagnostic : program.diagnostics) {
     ADD_FAILURE() << format(diagnostic, "test.nc");
   }
   return program;
 }
 
-Vec3 end_of(const Program& program) {
+Vec3 end_of(const ReadProgram& program) {
   return program.motions.back().target;
 }
 
 TEST(IsoReader, MotionAndFeedAreModal) {
-  const Program program = read_clean("G0 X1 Y2 Z3\nG1 X4 F600\nY5\nZ6 F1200\nG0 X0\n");
+  const ReadProgram program = read_clean("G0 X1 Y2 Z3\nG1 X4 F600\nY5\nZ6 F1200\nG0 X0\n");
   ASSERT_EQ(program.motions.size(), 5U);
   EXPECT_EQ(program.motions[0].motion, Motion::rapid);
   EXPECT_EQ(program.motions[0].feed, 0);
@@ -50,14 +50,14 @@ TEST(IsoReader, IncrementalWordsAddUp) {
 }
 
 TEST(IsoReader, InchesAndMetricAlternate) {
-  const Program program = read_clean("G20 G1 X1 F10\nG21 Y1 F600\n");
+  const ReadProgram program = read_clean("G20 G1 X1 F10\nG21 Y1 F600\n");
   EXPECT_EQ(end_of(program), Vec3(25.4, 1, 0));
   EXPECT_NEAR(program.motions[0].feed, 254.0 / 60, 1e-12);
   EXPECT_EQ(program.motions[1].feed, 10);
 }
 
 TEST(IsoReader, SeveralGWordsStandInOneBlock) {
-  const Program program = read_clean("G0 G17 G21 G40 G49 G80 G90 G94 G54 G64 G69 G15 G50 X5\n");
+  const ReadProgram program = read_clean("G0 G17 G21 G40 G49 G80 G90 G94 G54 G64 G69 G15 G50 X5\n");
   EXPECT_EQ(program.block_count, 1U);
   EXPECT_EQ(end_of(program), Vec3(5, 0, 0));
 }
@@ -68,7 +68,7 @@ TEST(IsoReader, CountsBlocksNotCommentsOrBlankLines) {
 
 TEST(IsoReader, StopsAtTheProgramsEnd) {
   for (const char* const end : {"M2", "M30", "M99", "%", "G0 X1 M30"}) {
-    const Program program = read_text(std::string("%\nG0 X1\n") + end + "\nG0 X99\n");
+    const ReadProgram program = read_text(std::string("%\nG0 X1\n") + end + "\nG0 X99\n");
     EXPECT_EQ(end_of(program), Vec3(1, 0, 0)) << end;
   }
 }
@@ -85,7 +85,8 @@ TEST(IsoReader, DeletedBlocksRunUnlessTheSwitchIsOn) {
 }
 
 TEST(IsoReader, DwellsInSecondsAndMilliseconds) {
-  const Program program = read_clean("G0 X5\nG4 P1.5\nG4 P500\nG4 X2\nG04 U0.25\nG4 F3\nG4 P0\nG1 Y1 F60\n");
+  const ReadProgram program =
+      read_clean("G0 X5\nG4 P1.5\nG4 P500\nG4 X2\nG04 U0.25\nG4 F3\nG4 P0\nG1 Y1 F60\n");
   ASSERT_EQ(program.motions.size(), 7U);
   EXPECT_EQ(program.motions[1].motion, Motion::dwell);
   EXPECT_EQ(program.motions[1].dwell, 1.5);
@@ -111,7 +112,7 @@ class ArcPlane : public testing::TestWithParam<PlaneCase> {};
 // Counter-clockwise seen from the plane's positive normal turns the first axis into the second: X to Y in
 // G17, Z to X in G18, Y to Z in G19.
 TEST_P(ArcPlane, CounterClockwiseTurnsTheFirstAxisIntoTheSecond) {
-  const Program program = read_clean(GetParam().text);
+  const ReadProgram program = read_clean(GetParam().text);
   ASSERT_EQ(program.arcs.size(), 1U);
   EXPECT_LT(program.arcs[0].center.norm(), 1e-12);
   EXPECT_EQ(program.arcs[0].axis, GetParam().axis);
@@ -139,7 +140,7 @@ TEST(IsoReader, CentresAreOffsetsOrPositions) {
 }
 
 TEST(IsoReader, FullCirclesNeedNoEnd) {
-  const Program program = read_clean("G0 X10\nG2 I-10 F100\nX10 I-10\n");
+  const ReadProgram program = read_clean("G0 X10\nG2 I-10 F100\nX10 I-10\n");
   ASSERT_EQ(program.arcs.size(), 2U);
   EXPECT_EQ(program.arcs[0].turns, 1);
   EXPECT_EQ(program.arcs[1].turns, 1);
@@ -152,30 +153,30 @@ TEST(IsoReader, TurnsOfAHelixComeFromP) {
 }
 
 TEST(IsoReader, BoundsLeaveOutTheAssumedStart) {
-  const Program rapid = read_clean("G0 Z50\nG0 X10 Y20\nZ1\nG1 Z-5 F100\nX30\n");
+  const ReadProgram rapid = read_clean("G0 Z50\nG0 X10 Y20\nZ1\nG1 Z-5 F100\nX30\n");
   EXPECT_EQ(rapid.bounds.min, Vec3(10, 20, -5));
   EXPECT_EQ(rapid.bounds.max, Vec3(30, 20, 50));
-  const Program feed = read_clean("G1 X10 F100\n");
+  const ReadProgram feed = read_clean("G1 X10 F100\n");
   EXPECT_EQ(feed.bounds.min, Vec3(0, 0, 0)) << "a cut from the start counts";
   EXPECT_EQ(feed.bounds.max, Vec3(10, 0, 0));
   EXPECT_TRUE(read_clean("M3\nG4 P1.0\n").bounds.empty());
 }
 
 TEST(IsoReader, HarmlessWordsAreTakenWithoutAWord) {
-  const Program program = read_clean(
+  const ReadProgram program = read_clean(
       "G0 T1 M6 D1 H1 S5000 M3 A0. X1\nG5.1 Q1\nG5 P10000\nG92 E0\nG54.1 P3 X2\nG64 P0.01\nA0 X3\n");
   EXPECT_EQ(end_of(program), Vec3(3, 0, 0));
 }
 
 TEST(IsoReader, LeavesOutOnlyTheMotionOfAWrongBlock) {
-  const Program program = read_text("G1 X1 F100\nG91 X1..2 F200\nX1\n");
+  const ReadProgram program = read_text("G1 X1 F100\nG91 X1..2 F200\nX1\n");
   ASSERT_EQ(program.motions.size(), 2U);
   EXPECT_EQ(end_of(program), Vec3(2, 0, 0));
   EXPECT_NEAR(program.motions[1].feed, units::from_mm_min(200), 1e-12);
 }
 
 TEST(IsoReader, ArcsThatCannotBeBecomeLinesSoThatThePositionGoesOn) {
-  const Program program = read_text("G1 X10 F100\nG2 X20 I3\nX30 R1\nX40\nI0\n");
+  const ReadProgram program = read_text("G1 X10 F100\nG2 X20 I3\nX30 R1\nX40\nI0\n");
   ASSERT_EQ(program.motions.size(), 5U);
   for (const MotionBlock& block : program.motions) {
     EXPECT_EQ(block.motion, Motion::line);
@@ -184,13 +185,13 @@ TEST(IsoReader, ArcsThatCannotBeBecomeLinesSoThatThePositionGoesOn) {
 }
 
 TEST(IsoReader, UnreadMotionLeavesPositionsOutUpToTheNextMotionWord) {
-  const Program program = read_text("G0 X1\nG33 X2 Z-5 K1\nX3\nG80\nG0 X4\n");
+  const ReadProgram program = read_text("G0 X1\nG33 X2 Z-5 K1\nX3\nG80\nG0 X4\n");
   ASSERT_EQ(program.motions.size(), 2U);
   EXPECT_EQ(program.motions[1].target, Vec3(4, 0, 0));
 }
 
 TEST(IsoReader, BehindMachineMotionsNothingMovesUntilTheAxisIsProgrammed) {
-  const Program program = read_text("G0 X1 Z5\nG53 Z0\nG91 G28 Z0\nG90 X2\nZ7\nX3\n");
+  const ReadProgram program = read_text("G0 X1 Z5\nG53 Z0\nG91 G28 Z0\nG90 X2\nZ7\nX3\n");
   ASSERT_EQ(program.motions.size(), 6U);
   for (std::size_t i = 1; i < 5; ++i) {
     EXPECT_EQ(program.motions[i].pause, Pause::machine_move) << i;
@@ -200,7 +201,7 @@ TEST(IsoReader, BehindMachineMotionsNothingMovesUntilTheAxisIsProgrammed) {
 }
 
 TEST(IsoReader, WithoutAFeedMovesRunAtFeedZeroUntilOneComes) {
-  const Program program = read_text("G1 X1\nX2 F0\nX3 F60\nX4 F-5\n");
+  const ReadProgram program = read_text("G1 X1\nX2 F0\nX3 F60\nX4 F-5\n");
   EXPECT_EQ(program.motions[0].feed, 0);
   EXPECT_EQ(program.motions[1].feed, 0);
   EXPECT_EQ(program.motions[2].feed, 1);
@@ -210,7 +211,7 @@ TEST(IsoReader, WithoutAFeedMovesRunAtFeedZeroUntilOneComes) {
 // A circle about X10 Y10 in quarters, its centre written as a position.
 TEST(IsoReader, CentresThatFitAsPositionsOnlyAreTakenSo) {
   const std::string quarters = "G0 X20 Y10\nG3 X10 Y20 I10 J10 F100\nX0 Y10 I10 J10\nX10 Y0 I10 J10\n";
-  const Program program = read_text(quarters);
+  const ReadProgram program = read_text(quarters);
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(program.diagnostics[0].code, "arc-centers");
   EXPECT_EQ(program.diagnostics[0].line, 2U);

@@ -14,7 +14,7 @@ using Lines = std::vector<std::string>;
 
 /// The motions of a program to a nanometre: "line 1 2 3 @4" goes to X1 Y2 Z3 in line 4. Tool changes, spindle
 /// starts and stops are no motions.
-inline Lines text_of(const Program& program) {
+inline Lines text_of(const ReadProgram& program) {
   constexpr const char* names[] = {"rapid", "line", "arc", "dwell"};
   const auto tidy = [](double v) { return std::round(v * 1e6) / 1e6 + 0.0; };
   Lines lines;

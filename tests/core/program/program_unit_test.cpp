@@ -14,14 +14,14 @@ namespace {
 
 using Source = ProgramUnit::Source;
 
-Program read(Dialect dialect, const std::string& text, std::optional<LengthUnit> unit = std::nullopt) {
+ReadProgram read(Dialect dialect, const std::string& text, std::optional<LengthUnit> unit = std::nullopt) {
   ReadOptions options;
   options.dialect = dialect;
   options.unit = unit;
   return read_program(std::make_shared<const SourceText>("test.nc", text), nullptr, options);
 }
 
-std::vector<Diagnostic> assumed(const Program& program) {
+std::vector<Diagnostic> assumed(const ReadProgram& program) {
   std::vector<Diagnostic> found;
   std::ranges::copy_if(program.diagnostics, std::back_inserter(found),
                        [](const Diagnostic& diagnostic) { return diagnostic.code == "unit-assumed"; });
@@ -61,7 +61,7 @@ std::string body(const Words& words, unsigned seed) {
   return text;
 }
 
-void expect_same_motions(const Program& a, const Program& b, const std::string& text) {
+void expect_same_motions(const ReadProgram& a, const ReadProgram& b, const std::string& text) {
   ASSERT_EQ(a.motions.size(), b.motions.size()) << text;
   for (std::size_t i = 0; i < a.motions.size(); ++i) {
     EXPECT_EQ(a.motions[i].target, b.motions[i].target) << text;
@@ -74,14 +74,14 @@ TEST(ProgramUnit, TheOptionDoesWhatTheWordOfTheProgramDoes) {
     for (unsigned seed = 0; seed < 20; ++seed) {
       const std::string rest = body(words, seed);
       const std::string& id = words.metric;
-      const Program inch = read(words.dialect, words.inch + rest);
-      const Program metric = read(words.dialect, words.metric + rest);
+      const ReadProgram inch = read(words.dialect, words.inch + rest);
+      const ReadProgram metric = read(words.dialect, words.metric + rest);
       EXPECT_EQ(inch.unit, (ProgramUnit{LengthUnit::inch, Source::program})) << id;
       EXPECT_EQ(metric.unit, (ProgramUnit{LengthUnit::mm, Source::program})) << id;
       ASSERT_FALSE(inch.motions.empty()) << id;
       EXPECT_NEAR(inch.motions.back().target.x(), 25.4 * metric.motions.back().target.x(), 1e-9) << id;
 
-      const Program asked_inch = read(words.dialect, words.none + rest, LengthUnit::inch);
+      const ReadProgram asked_inch = read(words.dialect, words.none + rest, LengthUnit::inch);
       expect_same_motions(asked_inch, inch, id + rest);
       EXPECT_EQ(asked_inch.unit, (ProgramUnit{LengthUnit::inch, Source::asked})) << id;
       expect_same_motions(read(words.dialect, words.none + rest, LengthUnit::mm), metric, id + rest);
@@ -96,7 +96,7 @@ TEST(ProgramUnit, TheOptionDoesWhatTheWordOfTheProgramDoes) {
 TEST(ProgramUnit, OneWarningWhereNobodySaysIt) {
   for (const Words& words : all_words()) {
     const std::string rest = body(words, 1);
-    const Program program = read(words.dialect, words.none + rest);
+    const ReadProgram program = read(words.dialect, words.none + rest);
     EXPECT_EQ(program.unit, (ProgramUnit{LengthUnit::mm, Source::assumed}));
     ASSERT_EQ(assumed(program).size(), 1U) << words.metric;
     EXPECT_EQ(assumed(program)[0].severity, Severity::warning);

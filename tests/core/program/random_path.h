@@ -54,7 +54,7 @@ inline std::vector<Move> random_path(std::mt19937& random, bool helices = true) 
 }
 
 /// One motion a move, at 10 mm/s; in line `first_line` and those behind it, 0 for any.
-inline void expect_same(const std::vector<Move>& path, const Program& program, std::uint32_t first_line) {
+inline void expect_same(const std::vector<Move>& path, const ReadProgram& program, std::uint32_t first_line) {
   ASSERT_EQ(program.motions.size(), path.size());
   for (std::size_t i = 0; i < path.size(); ++i) {
     const MotionBlock& block = program.motions[i];

@@ -9,14 +9,14 @@
 namespace feedscope {
 
 /// Reads a program given as text.
-inline Program read_text(std::string text, const ReadOptions& options = {}) {
+inline ReadProgram read_text(std::string text, const ReadOptions& options = {}) {
   ReadOptions metric = options;
   metric.unit = options.unit.value_or(LengthUnit::mm);  // without a warning that it is assumed
   return read_program(std::make_shared<const SourceText>("test.nc", std::move(text)), nullptr, metric);
 }
 
 /// The program without tool changes, spindle starts and stops, which do not move the tool.
-inline Program without_events(Program program) {
+inline ReadProgram without_events(ReadProgram program) {
   std::erase_if(program.motions, [](const MotionBlock& block) {
     return block.motion == Motion::dwell && block.pause != Pause::dwell && block.pause != Pause::machine_move;
   });

@@ -70,7 +70,7 @@ TEST(RoundTrip, RandomPathsReadBackTheSameInEveryStyle) {
                         .tight = (bits & 16) != 0,
                         .line_end = round % 2 == 0 ? "\n" : "\r\n"};
       const std::string text = written(path, style);
-      const Program program = read_text(text);
+      const ReadProgram program = read_text(text);
       EXPECT_FALSE(has_errors(program.diagnostics)) << format(program.diagnostics.front(), "text") << "\n"
                                                     << text;
       expect_same(path, program, 2);

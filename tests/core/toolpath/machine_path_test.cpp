@@ -17,7 +17,7 @@
 namespace feedscope {
 namespace {
 
-Program read(std::string text, Dialect dialect) {
+ReadProgram read(std::string text, Dialect dialect) {
   ReadOptions options;
   options.dialect = dialect;
   options.unit = LengthUnit::mm;
@@ -28,7 +28,7 @@ std::shared_ptr<const Toolpath> path_of(const std::string& text, Dialect dialect
   return std::make_shared<const Toolpath>(build_toolpath(read(text, dialect)));
 }
 
-std::vector<std::string> codes_of(const Program& program) {
+std::vector<std::string> codes_of(const ReadProgram& program) {
   std::vector<std::string> codes;
   for (const Diagnostic& diagnostic : program.diagnostics) {
     codes.push_back(fmt::format("{} {}", to_string(diagnostic.severity), diagnostic.code));
@@ -196,7 +196,7 @@ TEST(MachinePath, ReportsAWarningAndNoError) {
 }
 
 TEST(MachinePath, AFeedMoveAssumesWhatIsNotKnown) {
-  const Program program = read("G0 X1 Y2 Z3\nG28 G91 Z0\nG90\nG1 X5 F100\nG2 X7 I1\n", Dialect::fanuc);
+  const ReadProgram program = read("G0 X1 Y2 Z3\nG28 G91 Z0\nG90\nG1 X5 F100\nG2 X7 I1\n", Dialect::fanuc);
   EXPECT_EQ(codes_of(program),
             (std::vector<std::string>{"warning reference-point", "warning unknown-position"}));
   const auto path = std::make_shared<const Toolpath>(build_toolpath(program));
@@ -223,7 +223,7 @@ TEST(MachinePath, CutterCompensationBeginsAgainBehindIt) {
   ReadOptions options;
   options.dialect = Dialect::fanuc;
   options.radii.set("1", 5);
-  const Program program = read_program(
+  const ReadProgram program = read_program(
       std::make_shared<const SourceText>(
           "test.nc",
           "G0 X0 Y0 Z5\nG1 Z-1 F100\nG41 D1 X10 Y0\nX50\nG28 G91 Z0\nG90\nG0 X0 Y0\nZ5\nG1 Z-1\nX10\nX50\n"),

@@ -24,7 +24,7 @@ Machine limited_table() {
   return machine;
 }
 
-Program program_of(const std::string& text, Dialect dialect = Dialect::sinumerik) {
+ReadProgram program_of(const std::string& text, Dialect dialect = Dialect::sinumerik) {
   ReadOptions options;
   options.dialect = dialect;
   options.unit = LengthUnit::mm;

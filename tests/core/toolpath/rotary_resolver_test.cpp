@@ -46,7 +46,7 @@ Machine trunnion() {
   return machine;
 }
 
-Program read_for(const std::string& text, Dialect dialect, const std::string& axes = "AC") {
+ReadProgram read_for(const std::string& text, Dialect dialect, const std::string& axes = "AC") {
   ReadOptions options;
   options.dialect = dialect;
   options.unit = LengthUnit::mm;
@@ -217,7 +217,7 @@ TEST(RotaryMoves, AreReportedAsBeforeUnlessTheMachineHasTheAxis) {
 }
 
 TEST(RotaryMoves, SayWhereAControlMayTakeAShorterWay) {
-  const Program program = read_for("G0 X1\nC350\n", Dialect::fanuc);
+  const ReadProgram program = read_for("G0 X1\nC350\n", Dialect::fanuc);
   ASSERT_EQ(program.diagnostics.size(), 1);
   EXPECT_EQ(program.diagnostics[0].code, "rotary-way");
   EXPECT_EQ(program.diagnostics[0].message.english(), "axis C turns by 350 degrees, from 0 to 350");
@@ -226,7 +226,7 @@ TEST(RotaryMoves, SayWhereAControlMayTakeAShorterWay) {
 TEST(RotaryMoves, ReachTheDirectionsOfRandomPlanes) {
   std::mt19937 random(22);
   std::uniform_real_distribution<double> share(-1, 1);
-  Program program = read_for("G0 X1\n", Dialect::fanuc);
+  ReadProgram program = read_for("G0 X1\n", Dialect::fanuc);
   const Machine machine = trunnion();
   const KinematicChain chain = chain_of(machine.kinematics);
   std::vector<Vec3> asked;
@@ -351,7 +351,7 @@ TEST(SegmentTurns, SayWhatIsMissingToFollowTheTip) {
 
 TEST(SegmentTurns, KnowTheTipInEveryDialect) {
   const auto tip = [](const std::string& text, Dialect dialect) {
-    const Program program = read_for(text, dialect);
+    const ReadProgram program = read_for(text, dialect);
     return !program.rotary_moves.empty() && program.rotary_moves.back().at_tip;
   };
   EXPECT_TRUE(tip("G0 X1\nG43.4 H1\nG1 X5 A10 F100\n", Dialect::fanuc));

@@ -29,7 +29,7 @@ MachinePath block_with(double feed, double turn) {
   options.rotary_axes = "AC";
   const std::string text =
       "TRAORI\nG0 X0 Y0 Z0\nG1 F" + std::to_string(feed) + " Z100 C" + std::to_string(turn) + "\n";
-  const Program program =
+  const ReadProgram program =
       read_program(std::make_shared<const SourceText>("test.mpf", text), nullptr, options);
   return on_machine(std::make_shared<const Toolpath>(build_toolpath(program)), machine, settings);
 }

@@ -31,7 +31,7 @@ MachinePath path_of(const std::string& text, const Settings& settings,
   options.dialect = Dialect::sinumerik;
   options.unit = LengthUnit::mm;
   options.rotary_axes = "AC";
-  const Program program =
+  const ReadProgram program =
       read_program(std::make_shared<const SourceText>("test.mpf", text), nullptr, options);
   return on_machine(std::make_shared<const Toolpath>(build_toolpath(program)), machine, settings);
 }

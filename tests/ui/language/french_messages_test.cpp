@@ -105,11 +105,11 @@ TEST_F(FrenchMessages, OfLinesThatControlsReject) {
                                "F100\nG1 X1\nF100\nG80 X1\nG2 X10 I1\nG2 X10 R1\nG2 X0 R1\nG2 X10\nG2 I1\nG0 "
                                "X1 P1\nG43.1 X1\nT256\nG4\nG93\n"
                                "G1 X2\n";
-  const Program by_grbl = read_as_grbl(std::make_shared<SourceText>("part.nc", for_grbl), 0.002F);
+  const ReadProgram by_grbl = read_as_grbl(std::make_shared<SourceText>("part.nc", for_grbl), 0.002F);
   EXPECT_GE(by_grbl.diagnostics.size(), 28U);
   look_at(by_grbl.diagnostics);
   const KlipperSettings limits(Machine(), complete_settings(find_model("klipper"), Machine()));
-  const Program by_klipper =
+  const ReadProgram by_klipper =
       read_as_klipper(std::make_shared<SourceText>(
                           "part.nc",
                           "G20\nG5\nG1 X1 F0\nG1 X\nG91\nG2 X1 I1\nG90\nG2 X1 R1\nG2 X1\nG4 P-1\nM220 "

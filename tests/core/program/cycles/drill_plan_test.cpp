@@ -19,7 +19,7 @@ class HoleAfterMachineMove : public testing::TestWithParam<AfterMachineMove> {};
 /// The tool was at Z10 before it went to a place that only the machine knows; from there the rapid to Z10 is
 /// a motion, and the feed starts from it.
 TEST_P(HoleAfterMachineMove, IsDrilledFromItsClearance) {
-  const Program program = read_text(GetParam().program, ReadOptions{.dialect = GetParam().dialect});
+  const ReadProgram program = read_text(GetParam().program, ReadOptions{.dialect = GetParam().dialect});
   EXPECT_NEAR(program.cutting_bounds.min.z(), -5, 1e-9);
   EXPECT_NEAR(program.cutting_bounds.max.z(), 10, 1e-9);
   bool feeds = false;

@@ -72,7 +72,7 @@ struct Thread {
 class ThreadInStrokes : public testing::TestWithParam<Thread> {};
 
 TEST_P(ThreadInStrokes, IsTappedDeeperStrokeByStroke) {
-  const Program program = read_text(GetParam().program, ReadOptions{.dialect = GetParam().dialect});
+  const ReadProgram program = read_text(GetParam().program, ReadOptions{.dialect = GetParam().dialect});
   std::vector<double> turning_points;
   double before = 0;
   double level = 0;

@@ -8,7 +8,7 @@ namespace feedscope {
 namespace {
 
 TEST(HeidenhainContour, RoundingTakesThePlaceOfTheCorner) {
-  const Program program = read_clean_heidenhain("L X+10 F600\nRND R3 F60\nL Y+10\nL X+0\n");
+  const ReadProgram program = read_clean_heidenhain("L X+10 F600\nRND R3 F60\nL Y+10\nL X+0\n");
   EXPECT_EQ(path_of(program), "7,0,0 10,3,0(+Z) 10,10,0 0,10,0");
   EXPECT_EQ(program.motions[0].feed, 10);
   EXPECT_EQ(program.motions[1].feed, 1) << "its own feed";
@@ -34,14 +34,14 @@ TEST(HeidenhainContour, CornersStandBeforeOrBehindCommentsParametersAndLabels) {
 }
 
 TEST(HeidenhainContour, ACornerBetweenLineAndArc) {
-  const Program program = read_clean_heidenhain("CC X+0 Y+0\nL X+10 F600\nRND R2\nC X+0 Y+10 DR+\n");
+  const ReadProgram program = read_clean_heidenhain("CC X+0 Y+0\nL X+10 F600\nRND R2\nC X+0 Y+10 DR+\n");
   EXPECT_EQ(program.motions.size(), 3U);
   EXPECT_NEAR(program.motions[0].target.x(), std::sqrt(60), 1e-12);
   EXPECT_EQ(program.arcs[1].center, Vec3(0, 0, 0));
 }
 
 TEST(HeidenhainContour, ApproachAndDepartureOnTangentLines) {
-  const Program program = read_clean_heidenhain(
+  const ReadProgram program = read_clean_heidenhain(
       "L X-20 Y-20 Z+5 R0 FMAX\nL Z-5 F100\nAPPR LT X+0 Y+0 LEN5 R0 F200\nL X+30\nDEP LT LEN8 F300\nL Z+50 "
       "FMAX\n");
   EXPECT_EQ(path_of(program), "r-20,-20,5 -20,-20,-5 -5,0,-5 0,0,-5 30,0,-5 38,0,-5 r38,0,50");
@@ -96,7 +96,7 @@ TEST(HeidenhainContour, ApproachesBesideTheContour) {
 }
 
 TEST(HeidenhainContour, LinesOfApproachAndDepartureTouchTheArcOfTheToolsCentre) {
-  const Program program = read_clean_heidenhain(
+  const ReadProgram program = read_clean_heidenhain(
       "TOOL DEF 1 L+0 R+2\nTOOL CALL 1 Z S100 F600\nL X-20 Y-9 FMAX\nAPPR LCT X+0 Y+0 R+10 RR\nL X+30\n"
       "DEP LCT X+60 Y-20 R+10\n");
   ASSERT_EQ(program.motions.size(), 6U);
@@ -120,7 +120,7 @@ TEST(HeidenhainContour, ExamplesOfTheManuals) {
       "r0,0,250 r-40,50,250 -40,50,-5 -18.611,45.125,-5 -12.5,50,-5(+Z) -12.5,50,-5(-Z+1) "
       "-18.611,54.875,-5(+Z) "
       "-40,50,-5 r-40,50,250");
-  const Program helix = read_clean_heidenhain(
+  const ReadProgram helix = read_clean_heidenhain(
       "TOOL DEF 1 L+0 R+5\nTOOL CALL 1 Z S1400\nL Z+250 R0 FMAX\nL X+50 Y+50 R0 FMAX\nCC\nL Z-12.75 R0 F1000 "
       "M3\n"
       "APPR PCT PR+32 PA-182 CCA180 R+2 RL F100\nCP IPA+3240 IZ+13.5 DR+ F200\nDEP CT CCA180 R+2\n"
@@ -134,7 +134,7 @@ TEST(HeidenhainContour, ExamplesOfTheManuals) {
 }
 
 TEST(HeidenhainContour, AnApproachWithoutAContourGoesStraight) {
-  const Program program = read_heidenhain("L X-20 F100\nAPPR LT X+0 Y+5 LEN5 R0 F200\n");
+  const ReadProgram program = read_heidenhain("L X-20 F100\nAPPR LT X+0 Y+5 LEN5 R0 F200\n");
   EXPECT_EQ(path_of(program), "-20,0,0 0,5,0");
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(program.diagnostics[0].code, "approach");

@@ -11,8 +11,8 @@ constexpr const char* drilling =
     " Q211=+0.5 ;DWELL AT DEPTH\n";
 
 TEST(HeidenhainCycle, DrillingPecksDownToItsDepth) {
-  const Program program = read_clean_heidenhain(std::string("TOOL CALL 1 Z S1000\nL Z+50 FMAX\n") + drilling +
-                                                "L X+10 Y+20 FMAX M99\n");
+  const ReadProgram program = read_clean_heidenhain(std::string("TOOL CALL 1 Z S1000\nL Z+50 FMAX\n") +
+                                                    drilling + "L X+10 Y+20 FMAX M99\n");
   EXPECT_EQ(path_of(program),
             "r0,0,50 r10,20,50 r10,20,7 10,20,-5 r10,20,7 r10,20,-3 10,20,-10 0.5s r10,20,7 r10,20,25");
   EXPECT_EQ(program.motions[3].feed, 2.5);
@@ -52,8 +52,8 @@ void PrintTo(const CycleCase& c, std::ostream* out) {
 class HeidenhainHole : public testing::TestWithParam<CycleCase> {};
 
 TEST_P(HeidenhainHole, MovesAlongTheToolAxis) {
-  const Program program = read_clean_heidenhain("TOOL DEF 1 L+0 R+3\nTOOL CALL 1 Z S600\nL Z+50 FMAX\n" +
-                                                std::string(GetParam().cycle) + "\nCYCL CALL\n");
+  const ReadProgram program = read_clean_heidenhain("TOOL DEF 1 L+0 R+3\nTOOL CALL 1 Z S600\nL Z+50 FMAX\n" +
+                                                    std::string(GetParam().cycle) + "\nCYCL CALL\n");
   EXPECT_EQ(path_of(program), "r0,0,50 " + std::string(GetParam().path));
 }
 
@@ -111,15 +111,15 @@ INSTANTIATE_TEST_SUITE_P(
                   "0,0,38 0,0,50"}));
 
 TEST(HeidenhainCycle, RigidTappingFeedsItsPitchEveryTurn) {
-  const Program program = read_clean_heidenhain(
+  const ReadProgram program = read_clean_heidenhain(
       "TOOL CALL 1 Z S600\nL Z+5 FMAX\nCYCL DEF 207 RIGID TAPPING Q200=5 Q201=-20 Q239=-1.5 Q203=0 "
       "Q204=5\nCYCL CALL\n");
   EXPECT_EQ(program.motions[1].feed, 15);
 }
 
 TEST(HeidenhainCycle, FeedOfACallAtAPlaceHoldsForTheWayThere) {
-  const Program program = read_clean_heidenhain(std::string("L Z+50 F600\n") + drilling +
-                                                "Q202 = 15\nCYCL CALL POS X+1 Y+2 Z+0 F1200\nL Z+60\n");
+  const ReadProgram program = read_clean_heidenhain(std::string("L Z+50 F600\n") + drilling +
+                                                    "Q202 = 15\nCYCL CALL POS X+1 Y+2 Z+0 F1200\nL Z+60\n");
   EXPECT_EQ(program.motions[1].feed, 20);
   EXPECT_EQ(program.motions.back().feed, 10);
 }
@@ -133,7 +133,7 @@ TEST(HeidenhainCycle, GlobalDefinitionsStandForPredef) {
 }
 
 TEST(HeidenhainCycle, TappingMayComeOutFaster) {
-  const Program program = read_clean_heidenhain(
+  const ReadProgram program = read_clean_heidenhain(
       "TOOL CALL 1 Z S600\nL Z+2 FMAX\nCYCL DEF 209 TAPPING Q200=2 Q201=-20 Q239=1 Q203=0 Q204=2 Q257=0 "
       "Q256=0 "
       "Q403=2.5\nCYCL CALL\n");

@@ -18,7 +18,7 @@ void PrintTo(const DiagnosticCase& c, std::ostream* out) {
 class HeidenhainDiagnostic : public testing::TestWithParam<DiagnosticCase> {};
 
 TEST_P(HeidenhainDiagnostic, SaysPlaceThingAndValue) {
-  const Program program = read_heidenhain(GetParam().text);
+  const ReadProgram program = read_heidenhain(GetParam().text);
   std::vector<std::string> said;
   for (const Diagnostic& d : program.diagnostics) {
     said.push_back(fmt::format("{}:{}: {}: {} [{}]", d.line, d.column, to_string(d.severity),
@@ -290,7 +290,7 @@ INSTANTIATE_TEST_SUITE_P(
                        "2:1: warning: cycle 247 changes the datum after a motion [work-offset]"}));
 
 TEST(HeidenhainDiagnostics, RotaryAxesAndPlanesAreSaidOnce) {
-  const Program program = read_heidenhain(
+  const ReadProgram program = read_heidenhain(
       "L X+1 A+1 FMAX\nL A+2 FMAX\nPLANE PROJECTED PROPR+1\nPLANE PROJECTED PROPR+1\nL A+3 FMAX\n");
   EXPECT_EQ(program.diagnostics.size(), 2U);
 }
@@ -300,9 +300,9 @@ TEST(HeidenhainDiagnostics, ABlockWithAFaultDoesNotMove) {
 }
 
 TEST(HeidenhainDiagnostics, EndlessLoopsAndCallsEnd) {
-  const Program loop = read_heidenhain("LBL 1\nFN 9: IF 1 EQU 1 GOTO LBL 1\n", {.repeat_limit = 1000});
+  const ReadProgram loop = read_heidenhain("LBL 1\nFN 9: IF 1 EQU 1 GOTO LBL 1\n", {.repeat_limit = 1000});
   EXPECT_THAT(loop.diagnostics, testing::Contains(testing::Field(&Diagnostic::code, "run-limit")));
-  const Program calls = read_heidenhain("LBL 1\nCALL LBL 1\nLBL 0\n");
+  const ReadProgram calls = read_heidenhain("LBL 1\nCALL LBL 1\nLBL 0\n");
   EXPECT_THAT(calls.diagnostics, testing::Contains(testing::Field(&Diagnostic::code, "call-depth")));
 }
 

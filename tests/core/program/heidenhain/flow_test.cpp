@@ -18,7 +18,7 @@ TEST(HeidenhainFlow, JumpsIfAParameterIsDefinedOrNot) {
 }
 
 TEST(HeidenhainFlow, SubprogramsRunFromTheirLabelToLabelZero) {
-  const Program program = read_clean_heidenhain(
+  const ReadProgram program = read_clean_heidenhain(
       "BEGIN PGM A MM\nL X+1 F100\nCALL LBL 7\nL X+2\nCALL LBL \"HOLE\"\nL Z+0 M30\nLBL 7\nL IY+1\nLBL 0\n"
       "LBL \"HOLE\"\nL IY+5\nCALL LBL 7\nLBL 0\nEND PGM A MM\n");
   EXPECT_EQ(path_of(program), "1,0,0 1,1,0 2,1,0 2,6,0 2,7,0 2,7,0");
@@ -88,7 +88,7 @@ void PrintTo(const FunctionCase& c, std::ostream* out) {
 class HeidenhainFunction : public testing::TestWithParam<FunctionCase> {};
 
 TEST_P(HeidenhainFunction, ComputesQ1) {
-  const Program program =
+  const ReadProgram program =
       read_clean_heidenhain("Q2 = 4\nQ3 = -30\n" + std::string(GetParam().text) + "\nL X+Q1 F100\n");
   EXPECT_NEAR(end_of(program).x(), GetParam().q1, 1e-12);
 }
@@ -141,7 +141,7 @@ class HeidenhainFiles : public testing::Test {
   ~HeidenhainFiles() override { std::filesystem::remove_all(folder); }
 
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder / name) << text; }
-  Program read(const std::string& name) const {
+  ReadProgram read(const std::string& name) const {
     return read_program(std::make_shared<const SourceText>(SourceText::from_file(folder / name)), nullptr,
                         {.unit = LengthUnit::mm});
   }
@@ -155,7 +155,7 @@ TEST_F(HeidenhainFiles, CalledProgramsLieBesideInAnyCase) {
         "SUB\nCYCL DEF 12.0 "
         "PGM CALL\nCYCL DEF 12.1 PGM sub.H\nL X+6 M99\nL Z+1\nEND PGM MAIN MM\n");
   write("Sub.h", "BEGIN PGM SUB INCH\nQL1 = 9\nL Y+Q1\nLBL 1\nL Z+0\nEND PGM SUB INCH\n");
-  const Program program = read("MAIN.H");
+  const ReadProgram program = read("MAIN.H");
   EXPECT_TRUE(program.diagnostics.empty()) << format(program.diagnostics.front(), "MAIN.H");
   EXPECT_EQ(path_of(program),
             "1,0,0 1,76.2,0 1,76.2,0 5,76.2,0 5,76.2,0 5,76.2,0 6,76.2,0 6,76.2,0 6,76.2,0 6,76.2,1");
@@ -166,7 +166,7 @@ TEST_F(HeidenhainFiles, CalledProgramsLieBesideInAnyCase) {
 TEST_F(HeidenhainFiles, AProgramOfAnotherDialectIsNotCalled) {
   write("MAIN.H", "BEGIN PGM MAIN MM\nL X+1 F100\nCALL PGM SUB.MPF\nEND PGM MAIN MM\n");
   write("SUB.MPF", "%_N_SUB_MPF\nTRANS X10\nG1 X5 F100\n");
-  const Program program = read("MAIN.H");
+  const ReadProgram program = read("MAIN.H");
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(program.diagnostics[0].message.english(),
             "program \"SUB.MPF\" is in another dialect, Sinumerik 840D");

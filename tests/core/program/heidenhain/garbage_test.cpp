@@ -12,19 +12,19 @@ namespace {
 
 const std::filesystem::path samples = std::filesystem::path(FEEDSCOPE_SOURCE_DIR) / "resources" / "programs";
 
-Program read_file(const std::filesystem::path& file) {
+ReadProgram read_file(const std::filesystem::path& file) {
   return read_program(std::make_shared<const SourceText>(SourceText::from_file(file)));
 }
 
 TEST(HeidenhainSamples, AreReadClean) {
-  const Program plate = read_file(samples / "heidenhain_plate.h");
+  const ReadProgram plate = read_file(samples / "heidenhain_plate.h");
   for (const Diagnostic& diagnostic : plate.diagnostics) {
     EXPECT_EQ(diagnostic.code, "machining-mode") << format(diagnostic, "heidenhain_plate.h");
   }
   EXPECT_EQ(plate.dialect, Dialect::heidenhain);
   EXPECT_EQ(plate.tools.size(), 2U);
   EXPECT_EQ(plate.path_controls.size(), 3U);
-  const Program spiral = read_file(samples / "heidenhain_spiral.i");
+  const ReadProgram spiral = read_file(samples / "heidenhain_spiral.i");
   for (const Diagnostic& diagnostic : spiral.diagnostics) {
     ADD_FAILURE() << format(diagnostic, "heidenhain_spiral.i");
   }

@@ -10,15 +10,15 @@
 namespace feedscope {
 namespace {
 
-Program read_din(std::string text) {
+ReadProgram read_din(std::string text) {
   return read_heidenhain(std::move(text), {.dialect = Dialect::heidenhain_iso});
 }
-Program read_clean_din(std::string text) {
+ReadProgram read_clean_din(std::string text) {
   return read_clean_heidenhain(std::move(text), {.dialect = Dialect::heidenhain_iso});
 }
 
 TEST(HeidenhainIso, AWholeProgramIsRecognisedAndRead) {
-  const Program program = read_clean_heidenhain(
+  const ReadProgram program = read_clean_heidenhain(
       "%PLATE G71 *\n"
       "N10 G30 G17 X+0 Y+0 Z-20*\n"
       "N20 G31 G90 X+100 Y+80 Z+0*\n"
@@ -40,7 +40,7 @@ TEST(HeidenhainIso, AWholeProgramIsRecognisedAndRead) {
 }
 
 TEST(HeidenhainIso, ABlockNumberIsNoValue) {
-  const Program program =
+  const ReadProgram program =
       read_din("%A G71 *\nN6464646464646464 G01 X+1 F100 *\nN20 M2 *\nN99999999999 G01 X+2 *\n");
   EXPECT_EQ(path_of(program), "1,0,0");
   ASSERT_EQ(program.diagnostics.size(), 1U);
@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
             "r0,0,5 r0,0,2 0,0,-4 r0,0,2 r0,0,10"}));
 
 TEST(HeidenhainIso, ToleranceIsAPathControl) {
-  const Program program = read_clean_din("G62 T0.05 P01 0 P02 5*\nG01 X+1 F60*\nG62*\nX+2*\n");
+  const ReadProgram program = read_clean_din("G62 T0.05 P01 0 P02 5*\nG01 X+1 F60*\nG62*\nX+2*\n");
   EXPECT_EQ(program.path_controls.at(program.motions[0].path_control).contour_tolerance, 0.05);
   EXPECT_NEAR(program.path_controls.at(program.motions[0].path_control).orientation_tolerance.value(),
               units::from_deg(5), 1e-15);
@@ -145,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(
             "2:1: warning: a line of the datum table changes the datum after a motion [work-offset]"}));
 
 TEST(HeidenhainIso, SoftApproachAndDepartureHaveTheirOwnFeeds) {
-  const Program program = read_din(
+  const ReadProgram program = read_din(
       "%A G71 *\nN10 G99 T1 L+0 R+10 *\nN20 T1 G17 S9 *\nN30 G00 G40 G90 X-10 Y-10 *\nN40 G01 Z-5 F1000 *\n"
       "N50 G01 G41 X+5 Y+5 F300 *\nN60 G26 R5 F150 *\nN70 Y+95 *\nN80 G27 R5 F500 *\nN90 G40 X-20 Y+120 "
       "F1200 *\n"

@@ -17,7 +17,7 @@ struct PartBench {
   }
 
   ReadOptions options;
-  Program program;
+  ReadProgram program;
   DiagnosticLog log;
   PathWriter path{program, log};
   LineRunner lines;

@@ -21,8 +21,8 @@ constexpr const char* centering =
     "L Z+50 FMAX\nCYCL DEF 240 CENTERING Q200=1 Q343=0 Q201=-2 Q206=100 Q211=0 Q203=0 Q204=5\n";
 
 TEST_P(HeidenhainPattern, HasItsPlaces) {
-  const Program program = read_clean_heidenhain(centering + std::string("PATTERN DEF ") + GetParam().pattern +
-                                                "\nCYCL CALL PAT FMAX M3\n");
+  const ReadProgram program = read_clean_heidenhain(centering + std::string("PATTERN DEF ") +
+                                                    GetParam().pattern + "\nCYCL CALL PAT FMAX M3\n");
   std::string places;
   for (const MotionBlock& block : program.motions) {
     if (block.motion == Motion::line) {

@@ -17,7 +17,7 @@ void PrintTo(const PlaneCase& c, std::ostream* out) {
 class HeidenhainPlane : public testing::TestWithParam<PlaneCase> {};
 
 TEST_P(HeidenhainPlane, TurnsWhatFollows) {
-  const Program program = read_clean_heidenhain(std::string(GetParam().plane) + "\nL X+1 Y+2 Z+3 F100\n");
+  const ReadProgram program = read_clean_heidenhain(std::string(GetParam().plane) + "\nL X+1 Y+2 Z+3 F100\n");
   EXPECT_LT((end_of(program) - GetParam().shown).norm(), 1e-12) << path_of(program);
 }
 
@@ -76,7 +76,8 @@ TEST(HeidenhainPlanes, SayThatXYAndZFollowAMoveOfTheMachine) {
   const auto reported = [](const char* axes) {
     ReadOptions options{.dialect = Dialect::heidenhain};
     options.rotary_axes = axes;
-    const Program program = read_heidenhain("PLANE SPATIAL SPA+30 SPB+0 SPC+0 MOVE DIST50 F2000\n", options);
+    const ReadProgram program =
+        read_heidenhain("PLANE SPATIAL SPA+30 SPB+0 SPC+0 MOVE DIST50 F2000\n", options);
     return std::ranges::count(program.diagnostics, "swivel-retract", &Diagnostic::code);
   };
   EXPECT_EQ(reported("AC"), 1);
@@ -84,10 +85,10 @@ TEST(HeidenhainPlanes, SayThatXYAndZFollowAMoveOfTheMachine) {
 }
 
 TEST(HeidenhainPlanes, ArcsAndHolesLieInTheTiltedPlane) {
-  const Program arc = read_clean_heidenhain(
+  const ReadProgram arc = read_clean_heidenhain(
       "PLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY\nL X+10 Y+0 Z+0 F100\nCC X+0 Y+0\nC X+0 Y+10 DR+\n");
   EXPECT_EQ(path_of(arc), "10,0,0 0,0,10(-Y)");
-  const Program hole = read_clean_heidenhain(
+  const ReadProgram hole = read_clean_heidenhain(
       "PLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY\nL X+1 Y+2 Z+9 FMAX\nCYCL DEF 240 CENTERING Q200=1 Q343=0 "
       "Q201=-2 "
       "Q206=100 Q203=0 Q204=1\nCYCL CALL\n");

@@ -6,7 +6,7 @@
 
 namespace feedscope {
 
-std::string path_of(const Program& program) {
+std::string path_of(const ReadProgram& program) {
   std::string text;
   const auto number = [](double value) {
     std::string shown = fmt::format("{:.3f}", std::abs(value) < 5e-4 ? 0.0 : value);

@@ -7,7 +7,7 @@ namespace feedscope {
 namespace {
 
 TEST(HeidenhainReader, LinesRapidsAndFeedsOfAWholeProgram) {
-  const Program program = read_clean_heidenhain(
+  const ReadProgram program = read_clean_heidenhain(
       "0  BEGIN PGM PLATE MM\n"
       "1  BLK FORM 0.1 Z X+0 Y+0 Z-20\n"
       "2  BLK FORM 0.2 X+100 Y+80 Z+0\n"
@@ -32,13 +32,13 @@ TEST(HeidenhainReader, LinesRapidsAndFeedsOfAWholeProgram) {
 }
 
 TEST(HeidenhainReader, RapidHoldsForItsBlockOnly) {
-  const Program program = read_clean_heidenhain("L X+1 F600\nL X+2 FMAX\nL X+3\nL X+4 F MAX\nL X+5\n");
+  const ReadProgram program = read_clean_heidenhain("L X+1 F600\nL X+2 FMAX\nL X+3\nL X+4 F MAX\nL X+5\n");
   EXPECT_EQ(path_of(program), "1,0,0 r2,0,0 3,0,0 r4,0,0 5,0,0");
   EXPECT_EQ(program.motions[2].feed, 10);
 }
 
 TEST(HeidenhainReader, InchProgramsCountLengthsInInchesAndFeedsInTenths) {
-  const Program program = read_clean_heidenhain("BEGIN PGM A INCH\nL X+1 Y-0.5 F100\nEND PGM A INCH\n");
+  const ReadProgram program = read_clean_heidenhain("BEGIN PGM A INCH\nL X+1 Y-0.5 F100\nEND PGM A INCH\n");
   EXPECT_EQ(path_of(program), "25.4,-12.7,0");
   EXPECT_NEAR(program.motions[0].feed, 254.0 / 60, 1e-12);
 }
@@ -53,7 +53,7 @@ TEST(HeidenhainReader, FeedsPerRevolutionAndTooth) {
 }
 
 TEST(HeidenhainReader, FeedOfTheToolCallHoldsUntilAnother) {
-  const Program program = read_clean_heidenhain(
+  const ReadProgram program = read_clean_heidenhain(
       "TOOL CALL 1 Z S600 F300\nL X+1\nL X+2 F600\nL X+3 F AUTO\nL X+4 F60\nTOOL CALL 2 Z F120\nL X+5\n");
   std::vector<double> feeds;
   for (const MotionBlock& block : program.motions) {
@@ -118,7 +118,7 @@ TEST(HeidenhainReader, WordsOfMFunctionsAreNotPositions) {
 }
 
 TEST(HeidenhainReader, LookAheadOfM120IsAPathControl) {
-  const Program program = read_clean_heidenhain("L X+1 F100\nL X+2 M120 LA10\n");
+  const ReadProgram program = read_clean_heidenhain("L X+1 F100\nL X+2 M120 LA10\n");
   EXPECT_EQ(program.path_controls.at(program.motions[0].path_control).look_ahead, Switch::machine);
   EXPECT_EQ(program.path_controls.at(program.motions[1].path_control).look_ahead, Switch::on);
 }
@@ -130,7 +130,8 @@ TEST(HeidenhainReader, RetractsAlongTheToolAxis) {
 }
 
 TEST(HeidenhainReader, AToleranceOfZeroIsTheMachines) {
-  const Program program = read_clean_heidenhain("CYCL DEF 32.1 T0.05\nL X+1 F100\nCYCL DEF 32.1 T0\nL X+2\n");
+  const ReadProgram program =
+      read_clean_heidenhain("CYCL DEF 32.1 T0.05\nL X+1 F100\nCYCL DEF 32.1 T0\nL X+2\n");
   EXPECT_EQ(program.path_controls.at(program.motions[0].path_control).contour_tolerance, 0.05);
   EXPECT_EQ(program.path_controls.at(program.motions[1].path_control), PathControl());
 }
@@ -146,7 +147,7 @@ void PrintTo(const ArcCase& c, std::ostream* out) {
 class HeidenhainArc : public testing::TestWithParam<ArcCase> {};
 
 TEST_P(HeidenhainArc, HasTheCentreAndTurnOfItsWords) {
-  const Program program = read_clean_heidenhain(GetParam().text);
+  const ReadProgram program = read_clean_heidenhain(GetParam().text);
   EXPECT_EQ(path_of(program), GetParam().path);
   ASSERT_FALSE(program.arcs.empty());
   EXPECT_LT((program.arcs.back().center - GetParam().center).norm(), 1e-9);
@@ -197,7 +198,7 @@ TEST(HeidenhainReader, ParametersStandForNumbers) {
 }
 
 TEST(HeidenhainReader, ToleranceOfCycle32IsAPathControl) {
-  const Program program = read_clean_heidenhain(
+  const ReadProgram program = read_clean_heidenhain(
       "L X+1 F100\nCYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1 T0.05\nL X+2\nCYCL DEF 32.1 T0.02\nCYCL DEF 32.2 "
       "TA5\nL X+3\nCYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1\nL X+4\n");
   const auto control = [&](std::size_t i) {
@@ -212,7 +213,7 @@ TEST(HeidenhainReader, ToleranceOfCycle32IsAPathControl) {
 }
 
 TEST(HeidenhainReader, HscModeChangesNothingAndSaysSo) {
-  const Program program = read_heidenhain(
+  const ReadProgram program = read_heidenhain(
       "L X+1 F100\nCYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1 T0.05\nCYCL DEF 32.2 HSC-MODE:1 TA5\nL X+2\n");
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(format(program.diagnostics.front(), "f"),
@@ -224,7 +225,7 @@ TEST(HeidenhainReader, HscModeChangesNothingAndSaysSo) {
 }
 
 TEST(HeidenhainReader, DwellsAreCycle9) {
-  const Program program = read_clean_heidenhain(
+  const ReadProgram program = read_clean_heidenhain(
       "L X+5 F100\nCYCL DEF 9.0 DWELL TIME\nCYCL DEF 9.1 DWELL 1.5\nCYCLE DEF 9.1 5\nCYCL DEF 9.1 "
       "V.ZEIT0,5\n");
   EXPECT_EQ(path_of(program), "5,0,0 1.5s 5s 0.5s");
@@ -240,7 +241,7 @@ void PrintTo(const FrameCase& c, std::ostream* out) {
 class HeidenhainFrame : public testing::TestWithParam<FrameCase> {};
 
 TEST_P(HeidenhainFrame, MovesWhatIsProgrammed) {
-  const Program program = read_clean_heidenhain(std::string(GetParam().cycles) + "L X+10 Y+2 Z+1 F100\n");
+  const ReadProgram program = read_clean_heidenhain(std::string(GetParam().cycles) + "L X+10 Y+2 Z+1 F100\n");
   EXPECT_LT((end_of(program) - GetParam().shown).norm(), 1e-12) << end_of(program).transpose();
 }
 
@@ -267,7 +268,7 @@ INSTANTIATE_TEST_SUITE_P(
                   {10, 2, 1}}));
 
 TEST(HeidenhainReader, StatementsGoOnBehindATilde) {
-  const Program program = read_clean_heidenhain("L X+1 ~\n  Y+2 ; half way ~\n  F100\nL X+5\n");
+  const ReadProgram program = read_clean_heidenhain("L X+1 ~\n  Y+2 ; half way ~\n  F100\nL X+5\n");
   EXPECT_EQ(path_of(program), "1,2,0 5,2,0");
   EXPECT_EQ(program.block_count, 2U);
 }

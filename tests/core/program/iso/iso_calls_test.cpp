@@ -21,7 +21,7 @@ Way fanuc(const std::string& text) {
   return way(Dialect::fanuc, "G0\n" + text);
 }
 
-Way way_of(const Program& program) {
+Way way_of(const ReadProgram& program) {
   Way positions;
   for (const MotionBlock& block : program.motions) {
     positions.push_back(block.target.x());
@@ -118,12 +118,12 @@ TEST(MCalls, M97WithoutPEndsInterruptsAndCallsNothing) {
 }
 
 TEST(MCalls, ABlockThatCannotBeReadCallsNothing) {
-  const Program program = read_as(Dialect::fanuc, "G0 X1\nG65 P1 A[\nM98 P[\nM30\nO1\nX5\nM99");
+  const ReadProgram program = read_as(Dialect::fanuc, "G0 X1\nG65 P1 A[\nM98 P[\nM30\nO1\nX5\nM99");
   EXPECT_EQ(way_of(program), (Way{1}));
 }
 
 TEST(ModalState, IsKeptAndRestored) {
-  const Program program =
+  const ReadProgram program =
       read_clean_as(Dialect::linuxcnc, "G1 G90 F600 G64 P0.1\nX1\nM70\nG20\nG91 G18 F1 G61\nX1\nM72\nX2\n");
   ASSERT_EQ(program.motions.size(), 3U);
   EXPECT_NEAR(program.motions[1].target.x(), 26.4, 1e-12);
@@ -148,7 +148,7 @@ TEST(ModalState, M71ForgetsIt) {
 }
 
 TEST(Tools, AreListedInTheOrderOfTheirFirstUse) {
-  const Program program = read_clean_as(Dialect::fanuc, "G0 X1\nT5 M6\nT2\nM6\nT5\nM6\nT0\n#1=7\nT#1\n");
+  const ReadProgram program = read_clean_as(Dialect::fanuc, "G0 X1\nT5 M6\nT2\nM6\nT5\nM6\nT0\n#1=7\nT#1\n");
   ASSERT_EQ(program.tools.size(), 3U);
   EXPECT_EQ(program.tools[0].name, "5");
   EXPECT_EQ(program.tools[1].name, "2");
@@ -187,7 +187,7 @@ TEST(Macros, ModalOnesRunAfterEachMotion) {
 }
 
 TEST(Macros, AModalOneThatIsMissingIsSaidWhereItIsAskedFor) {
-  const Program program =
+  const ReadProgram program =
       read_text("G1 X1 F100\n  G66 P7 Z5\nX2\n(short)\nX3\nG67\nX4\nM30\n", {.dialect = Dialect::fanuc});
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(program.diagnostics[0].code, "subprogram");
@@ -215,7 +215,7 @@ class FilesBeside : public testing::Test {
     std::ofstream(folder_ / name) << text;
     return folder_ / name;
   }
-  Program read(const std::string& name, Dialect dialect, const std::string& text) const {
+  ReadProgram read(const std::string& name, Dialect dialect, const std::string& text) const {
     return read_program(std::make_shared<const SourceText>(SourceText::from_file(write(name, text))), nullptr,
                         {.dialect = dialect, .unit = LengthUnit::mm});
   }
@@ -224,7 +224,7 @@ class FilesBeside : public testing::Test {
 
 TEST_F(FilesBeside, AreFoundByNumberAndReadOnce) {
   write("o0100.NC", "%\nO0100\nX1\nX2\nM99\n%\n");
-  const Program program = read("main.nc", Dialect::fanuc, "G0 X5\nM98 P100 L2\nX6\nM30\n");
+  const ReadProgram program = read("main.nc", Dialect::fanuc, "G0 X5\nM98 P100 L2\nX6\nM30\n");
   EXPECT_EQ(way_of(program), (Way{5, 1, 2, 1, 2, 6}));
   EXPECT_TRUE(program.diagnostics.empty());
   EXPECT_EQ(program.motions[1].line, 2U) << "of the call";
@@ -239,7 +239,7 @@ TEST_F(FilesBeside, HoldNamedSubprogramsThatCallThoseOfTheProgram) {
   write("drill.ngc",
         "o<helper> sub\nX8\no<helper> endsub\no<drill> sub\nX#1\no<helper> call\no<own> call\n"
         "o<drill> endsub\nM2\n");
-  const Program program =
+  const ReadProgram program =
       read("main.ngc", Dialect::linuxcnc, "G0\no<own> sub\nX9\no<own> endsub\no<Drill> call [3]\nX4\n");
   EXPECT_EQ(way_of(program), (Way{3, 8, 9, 4}));
   EXPECT_TRUE(program.diagnostics.empty());
@@ -254,7 +254,7 @@ TEST_F(FilesBeside, AreCalledByNameInBrackets) {
 
 TEST_F(FilesBeside, AFaultNamesTheFile) {
   write("O7.nc", "X1\nX[1\nM99");
-  const Program program = read("main.nc", Dialect::fanuc, "G0 X5\nM98 P7\n");
+  const ReadProgram program = read("main.nc", Dialect::fanuc, "G0 X5\nM98 P7\n");
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(program.diagnostics[0].line, 2U);
   EXPECT_NE(program.diagnostics[0].file.find("O7.nc"), std::string::npos);
@@ -305,7 +305,8 @@ INSTANTIATE_TEST_SUITE_P(
               "is written between sub and endsub)"}));
 
 TEST(IsoCalls, EndlessRecursionIsStopped) {
-  const Program program = read_as(Dialect::linuxcnc, "G0 X1\no1 sub\nX2\no1 call\no1 endsub\no1 call\nX3\n");
+  const ReadProgram program =
+      read_as(Dialect::linuxcnc, "G0 X1\no1 sub\nX2\no1 call\no1 endsub\no1 call\nX3\n");
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(program.diagnostics[0].code, "call-depth");
   EXPECT_EQ(program.motions.size(), 1U + 64 + 1);

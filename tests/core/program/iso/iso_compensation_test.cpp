@@ -63,7 +63,7 @@ struct FaultCase {
 class IsoCompensationFault : public testing::TestWithParam<FaultCase> {};
 
 TEST_P(IsoCompensationFault, ShowsTheContourOrSaysWhereItCuts) {
-  const Program program = read_as(fanuc, GetParam().text);
+  const ReadProgram program = read_as(fanuc, GetParam().text);
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(format(program.diagnostics[0], "f"), GetParam().expected);
 }

@@ -82,16 +82,17 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(IsoTransforms, ArcsTurnAlongAndMirrorTheirDirection) {
-  const Program turned = read_clean_as(fanuc, "G68 X0 Y0 R90\nG0 X10 Y0\nG3 X0 Y10 I-10 F100");
+  const ReadProgram turned = read_clean_as(fanuc, "G68 X0 Y0 R90\nG0 X10 Y0\nG3 X0 Y10 I-10 F100");
   EXPECT_EQ(text_of(turned).back(), "arc -10 0 0 @3");
   EXPECT_LT((turned.arcs.at(0).axis - Vec3::UnitZ()).norm(), 1e-12);
-  const Program mirrored = read_clean_as(fanuc, "G51.1 X0\nG0 X10 Y0\nG3 X0 Y10 I-10 F100");
+  const ReadProgram mirrored = read_clean_as(fanuc, "G51.1 X0\nG0 X10 Y0\nG3 X0 Y10 I-10 F100");
   EXPECT_EQ(text_of(mirrored).back(), "arc 0 10 0 @3");
   EXPECT_LT((mirrored.arcs.at(0).axis + Vec3::UnitZ()).norm(), 1e-12);
 }
 
 TEST(IsoTransforms, ReferencePointsAreReachedAsFarAsTheyAreKnown) {
-  const Program program = read_as(fanuc, "G0 X1 Z5\nG28 X10 Y10\nG91 G28 Z0\nG90 G0 X0\nG29 X3\nG30 P2 Y7");
+  const ReadProgram program =
+      read_as(fanuc, "G0 X1 Z5\nG28 X10 Y10\nG91 G28 Z0\nG90 G0 X0\nG29 X3\nG30 P2 Y7");
   EXPECT_EQ(text_of(program),
             (Lines{"rapid 1 0 5 @1", "rapid 10 10 5 @2", "machine move 10 10 5 @2", "machine move 10 10 5 @3",
                    "machine move 0 10 5 @4", "machine move 10 10 5 @5", "machine move 3 10 5 @5",
@@ -116,7 +117,7 @@ TEST(IsoTransforms, MachineCoordinatesAreShownWhereTheProgramSetsItsZeroPoint) {
 }
 
 TEST(IsoTransforms, AnAxisWhoseZeroPointIsNotSetIsNotKnown) {
-  const Program program =
+  const ReadProgram program =
       read_as(linuxcnc, "G21 G10 L2 P1 Z-20\nG0 X1 Y2 Z3\nG53 G0 Z0\nG53 G0 X0\nG55\nG53 Z1");
   EXPECT_EQ(text_of(program),
             (Lines{"rapid 1 2 -17 @2", "rapid 1 2 0 @3", "machine move 1 2 0 @4", "machine move 1 2 0 @6"}));
@@ -141,11 +142,11 @@ TEST(IsoTransforms, G28ReturnsToWhereG281WasProgrammed) {
 
 TEST(IsoTransforms, G92NamesAPositionOfTheMachine) {
   const std::string after = "G92 X0 Y0 Z0\nG91 G1 X1 F100\nG90 X5";
-  const Program start = read_as(linuxcnc, "G21 G28\n" + after);
+  const ReadProgram start = read_as(linuxcnc, "G21 G28\n" + after);
   EXPECT_EQ(text_of(start),
             (Lines{"machine move 0 0 0 @1", "machine move 0 0 0 @2", "line 1 0 0 @3", "line 5 0 0 @4"}));
   EXPECT_EQ(start.diagnostics.size(), 1U) << "G28 alone: nothing was moved before it";
-  const Program later = read_as(linuxcnc, "G21 G0 X8\nG28\n" + after);
+  const ReadProgram later = read_as(linuxcnc, "G21 G0 X8\nG28\n" + after);
   EXPECT_EQ(text_of(later).back(), "line 13 0 0 @5");
   ASSERT_EQ(later.diagnostics.size(), 2U);
   EXPECT_EQ(
@@ -162,7 +163,7 @@ struct FaultCase {
 class IsoCoordinateFault : public testing::TestWithParam<FaultCase> {};
 
 TEST_P(IsoCoordinateFault, NamesWordAndWhatToDo) {
-  const Program program = read_as(fanuc, GetParam().text);
+  const ReadProgram program = read_as(fanuc, GetParam().text);
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(format(program.diagnostics[0], "f"), GetParam().expected);
 }
@@ -217,7 +218,7 @@ TEST(IsoTransforms, FeedIsInverseTimeOrPerRevolution) {
 
 /// What a program with a tilted plane moves; that it is tilted is all that may be said.
 Lines tilted(const std::string& text) {
-  const Program program = read_as(Dialect::fanuc, text);
+  const ReadProgram program = read_as(Dialect::fanuc, text);
   EXPECT_FALSE(program.diagnostics.empty()) << text;
   for (const Diagnostic& diagnostic : program.diagnostics) {
     EXPECT_EQ(diagnostic.code, "tilted-plane");
@@ -261,7 +262,7 @@ TEST(IsoLocalShift, OfLinuxcncIsThatOfG92) {
 }
 
 TEST(IsoTiltedPlane, ArcsTiltToo) {
-  const Program program =
+  const ReadProgram program =
       read_as(Dialect::fanuc, "G68.2 X0 Y0 Z0 I0 J90 K0\nG0 X10 Y0 Z0\nG3 X0 Y10 I-10 F100");
   ASSERT_EQ(program.arcs.size(), 1U);
   EXPECT_NEAR((program.arcs[0].axis - Vec3(0, -1, 0)).norm(), 0, 1e-12);
@@ -272,7 +273,7 @@ TEST(IsoTiltedPlane, RotationsInSpaceFollowEachOther) {
   EXPECT_EQ(tilted("G68 X0 Y0 Z0 I1 J0 K0 R90\nG0 X1 Y2 Z3"), (Lines{"rapid 1 -3 2 @2"}));
   EXPECT_EQ(tilted("G68 X10 Y0 Z0 I0 J1 K0 R90\nG0 X11 Y0 Z0"), (Lines{"rapid 10 0 -1 @2"}));
   // The second one turns about the X that the first one has turned to Y.
-  const Program twice =
+  const ReadProgram twice =
       read_as(Dialect::fanuc, "G68 X0 Y0 Z0 I0 J0 K1 R90\nG68 X0 Y0 Z0 I1 J0 K0 R90\nG0 X0 Y10 Z0");
   EXPECT_EQ(text_of(twice), (Lines{"rapid 0 0 10 @3"}));
 }

@@ -12,7 +12,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-Program clean(const std::string& text) {
+ReadProgram clean(const std::string& text) {
   return read_clean_as(Dialect::fanuc, text);
 }
 
@@ -21,7 +21,7 @@ void expect_near(const Vec3& actual, const Vec3& expected) {
 }
 
 TEST(IsoCorners, ARightAngleBecomesAQuarterCircle) {
-  const Program program = clean("G0 X0 Y0\nG1 X10 F600 ,R2\nY10 F300\n");
+  const ReadProgram program = clean("G0 X0 Y0\nG1 X10 F600 ,R2\nY10 F300\n");
   EXPECT_THAT(text_of(program),
               ElementsAre("rapid 0 0 0 @1", "line 8 0 0 @2", "arc 10 2 0 @2", "line 10 10 0 @3"));
   ASSERT_EQ(program.arcs.size(), 1U);
@@ -46,7 +46,7 @@ TEST(IsoCorners, CornersFollowEachOtherAndWordsMayHaveValues) {
 
 // The arc about X10 Y0 from X0 to X20 by the top, cut where it meets the line down.
 TEST(IsoCorners, LinesAndArcsAreJoinedWithOneTangent) {
-  const Program program = clean("G0 X0 Y0\nG2 X20 I10 F600 ,R1\nG1 X30\n");
+  const ReadProgram program = clean("G0 X0 Y0\nG2 X20 I10 F600 ,R1\nG1 X30\n");
   ASSERT_EQ(program.motions.size(), 4U);
   ASSERT_EQ(program.arcs.size(), 2U);
   const ArcWords& given = program.arcs[0];
@@ -62,7 +62,7 @@ TEST(IsoCorners, LinesAndArcsAreJoinedWithOneTangent) {
 }
 
 TEST(IsoCorners, AFullCircleThatLosesItsEndIsNoFullCircleAnyMore) {
-  const Program program = clean("G0 X0 Y0\nG2 I10 F600 ,R1\nG1 Y0 X-10\n");
+  const ReadProgram program = clean("G0 X0 Y0\nG2 I10 F600 ,R1\nG1 Y0 X-10\n");
   ASSERT_EQ(program.arcs.size(), 2U);
   EXPECT_EQ(program.arcs[0].turns, 0);
   EXPECT_GT(program.motions[1].target.y(), -3);
@@ -70,15 +70,16 @@ TEST(IsoCorners, AFullCircleThatLosesItsEndIsNoFullCircleAnyMore) {
 }
 
 TEST(IsoCorners, ScaleAndPlaneCount) {
-  const Program scaled = clean("G0 X0 Y0\nG51 X0 Y0 P2000\nG1 X10 F600 ,R2\nY10\n");
+  const ReadProgram scaled = clean("G0 X0 Y0\nG51 X0 Y0 P2000\nG1 X10 F600 ,R2\nY10\n");
   expect_near(scaled.motions.at(1).target, {16, 0, 0});
-  const Program in_zx = clean("G18 G0 X0 Z0\nG1 X10 F600 ,R2\nZ10\n");
+  const ReadProgram in_zx = clean("G18 G0 X0 Z0\nG1 X10 F600 ,R2\nZ10\n");
   expect_near(in_zx.motions.at(2).target, {10, 0, 2});
   expect_near(in_zx.arcs.at(0).axis, -Vec3::UnitY());
 }
 
 TEST(IsoCorners, TheToolsPathIsThatBesideTheRoundedContour) {
-  const Program program = clean("G10 L12 P1 R1\nG0 X0 Y-5\nG1 G41 D1 Y0 F600\nY20 ,R4\nX20\nG40 G0 X30\n");
+  const ReadProgram program =
+      clean("G10 L12 P1 R1\nG0 X0 Y-5\nG1 G41 D1 Y0 F600\nY20 ,R4\nX20\nG40 G0 X30\n");
   // Around the outside the tool's radius is added.
   ASSERT_EQ(program.arcs.size(), 1U);
   const Vec3 center = program.arcs[0].center;
@@ -100,7 +101,7 @@ TEST(IsoCorners, RandomContoursHaveNoCornerLeft) {
     for (int i = 0; i < 12; ++i) {
       text += fmt::format("G1 X{:.6f} Y{:.6f} ,R{:.3f}\n", number(random), number(random), 0.1);
     }
-    const Program program = read_as(Dialect::fanuc, text + "G1 X200\n");
+    const ReadProgram program = read_as(Dialect::fanuc, text + "G1 X200\n");
     for (std::size_t i = 2; i + 1 < program.motions.size(); ++i) {
       if (program.motions[i].motion != Motion::arc) {
         continue;

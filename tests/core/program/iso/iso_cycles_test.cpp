@@ -17,7 +17,7 @@ struct CycleCase {
 class IsoCycle : public testing::TestWithParam<CycleCase> {};
 
 TEST_P(IsoCycle, MovesAsTheControlsDo) {
-  const Program program = read_clean_as(Dialect::fanuc, std::string("G0 Z50\n") + GetParam().text);
+  const ReadProgram program = read_clean_as(Dialect::fanuc, std::string("G0 Z50\n") + GetParam().text);
   Lines expected = GetParam().expected;
   expected.insert(expected.begin(), "rapid 0 0 50 @1");
   EXPECT_EQ(text_of(program), expected);
@@ -122,11 +122,11 @@ TEST(IsoCycles, DwellIsSecondsForLinuxCncAndMillisecondsForFanuc) {
 }
 
 TEST(IsoCycles, FineAndBackBoringMoveOffTheWall) {
-  const Program fine = read_as(Dialect::fanuc, "G0 Z9\nG98 G76 X10 Z-5 R2 Q1 P100 F100");
+  const ReadProgram fine = read_as(Dialect::fanuc, "G0 Z9\nG98 G76 X10 Z-5 R2 Q1 P100 F100");
   EXPECT_EQ(text_of(fine),
             (Lines{"rapid 0 0 9 @1", "rapid 10 0 9 @2", "rapid 10 0 2 @2", "line 10 0 -5 @2",
                    "dwell 10 0 -5 @2", "rapid 11 0 -5 @2", "rapid 11 0 9 @2", "rapid 10 0 9 @2"}));
-  const Program back = read_as(Dialect::fanuc, "G0 Z9\nG98 G87 X10 Z-5 R-20 Q1 F100");
+  const ReadProgram back = read_as(Dialect::fanuc, "G0 Z9\nG98 G87 X10 Z-5 R-20 Q1 F100");
   EXPECT_EQ(text_of(back), (Lines{"rapid 0 0 9 @1", "rapid 10 0 9 @2", "rapid 11 0 9 @2", "rapid 11 0 -20 @2",
                                   "rapid 10 0 -20 @2", "line 10 0 -5 @2", "rapid 11 0 -5 @2",
                                   "rapid 11 0 9 @2", "rapid 10 0 9 @2"}));
@@ -137,7 +137,7 @@ TEST(IsoCycles, FineAndBackBoringMoveOffTheWall) {
 }
 
 TEST(IsoCycles, FeedRulesTheWayDown) {
-  const Program program = read_clean_as(Dialect::fanuc, "G95 S600 G0 Z9\nG84 X1 Z-5 R2 F1.5");
+  const ReadProgram program = read_clean_as(Dialect::fanuc, "G95 S600 G0 Z9\nG84 X1 Z-5 R2 F1.5");
   EXPECT_EQ(program.motions.at(3).feed, 15);
   EXPECT_EQ(program.motions.at(4).feed, 15);
 }
@@ -150,7 +150,7 @@ struct FaultCase {
 class IsoCycleFault : public testing::TestWithParam<FaultCase> {};
 
 TEST_P(IsoCycleFault, NamesWordAndWhatIsTakenInstead) {
-  const Program program = read_as(Dialect::fanuc, GetParam().text);
+  const ReadProgram program = read_as(Dialect::fanuc, GetParam().text);
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(format(program.diagnostics[0], "f"), GetParam().expected);
 }

@@ -169,13 +169,13 @@ INSTANTIATE_TEST_SUITE_P(
               "used as the comment; add the closing bracket)"}));
 
 TEST(IsoExpression, ABlockWithAFaultDoesNotMoveButItsModalWordsCount) {
-  const Program program = read_as(Dialect::linuxcnc, "G0 X1\nG91 X[1+\nX5\n");
+  const ReadProgram program = read_as(Dialect::linuxcnc, "G0 X1\nG91 X[1+\nX5\n");
   ASSERT_EQ(program.motions.size(), 2U);
   EXPECT_EQ(program.motions[1].target.x(), 6);
 }
 
 TEST(IsoExpression, EndlessBracketsAreRefusedNotFollowed) {
-  const Program program = read_as(Dialect::linuxcnc, "G0 X1\nX" + std::string(100000, '['));
+  const ReadProgram program = read_as(Dialect::linuxcnc, "G0 X1\nX" + std::string(100000, '['));
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(program.diagnostics[0].code, "expression");
 }

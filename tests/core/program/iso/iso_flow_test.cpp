@@ -76,7 +76,8 @@ TEST(OWords, LabelsMayBeUsedAgainAndHaveLeadingZeros) {
 }
 
 TEST(OWords, ALineRunsWithTheNumberOfItsText) {
-  const Program program = read_clean_as(Dialect::linuxcnc, "G0 X1\no1 repeat [2]\nG91 X1\no1 endrepeat\n");
+  const ReadProgram program =
+      read_clean_as(Dialect::linuxcnc, "G0 X1\no1 repeat [2]\nG91 X1\no1 endrepeat\n");
   ASSERT_EQ(program.motions.size(), 3U);
   EXPECT_EQ(program.motions[1].line, 3U);
   EXPECT_EQ(program.motions[2].line, 3U);
@@ -192,7 +193,7 @@ TEST(IsoFlow, AnEndlessLoopIsStopped) {
   for (const auto& [dialect, text] :
        {std::pair(Dialect::linuxcnc, "o1 while [1]\nX1\no1 endwhile\n"),
         std::pair(Dialect::fanuc, "DO1\nX1\nEND1\n"), std::pair(Dialect::fanuc, "N1 X1\nGOTO 1\n")}) {
-    const Program program =
+    const ReadProgram program =
         read_text(std::string("G0 X1\n") + text, {.dialect = dialect, .repeat_limit = 1000});
     ASSERT_EQ(program.diagnostics.size(), 1U);
     EXPECT_EQ(program.diagnostics[0].code, "run-limit");
@@ -221,7 +222,7 @@ TEST(IsoFlow, AProgramThatWasCutOffSaysSo) {
 }
 
 TEST(IsoFlow, ASubWithinASubIsAnError) {
-  const Program program =
+  const ReadProgram program =
       read_text("G0\no1 sub\nX1\no2 sub\nX2\no2 endsub\no1 endsub\nX9\n", {.dialect = Dialect::linuxcnc});
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(format(program.diagnostics[0], "f"),
@@ -233,8 +234,8 @@ TEST(IsoFlow, ASubWithinASubIsAnError) {
 }
 
 TEST(IsoFlow, ALoopOfDeepHolesIsStopped) {
-  const Program program = read_text("G0 X0 Y0 Z2\nDO1\nG83 X1 R1 Z-99 Q0.01 F100\nEND1\n",
-                                    {.dialect = Dialect::fanuc, .repeat_limit = 1000});
+  const ReadProgram program = read_text("G0 X0 Y0 Z2\nDO1\nG83 X1 R1 Z-99 Q0.01 F100\nEND1\n",
+                                        {.dialect = Dialect::fanuc, .repeat_limit = 1000});
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(program.diagnostics[0].code, "run-limit");
   EXPECT_LT(program.motions.size(), 25U * 1000 + 30100);  // the limit, and one hole of 10000 pecks

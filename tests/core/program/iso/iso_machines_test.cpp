@@ -37,7 +37,7 @@ TEST(HaasPatterns, NeedACycle) {
 
 TEST(HaasPecks, BecomeSmallerFromTheFirstToTheLeast) {
   // Pecks of 5, 4, 3, 2, 2 and what is left of 17.
-  const Program program = read_clean_as(Dialect::fanuc, "G0 Z2\nG99 G83 X1 Z-15 R2 I5 J1 K2 F100\nX9");
+  const ReadProgram program = read_clean_as(Dialect::fanuc, "G0 Z2\nG99 G83 X1 Z-15 R2 I5 J1 K2 F100\nX9");
   Lines feeds;
   for (const std::string& line : text_of(program)) {
     if (line.starts_with("line 1 ")) {
@@ -62,7 +62,7 @@ TEST(HaasOffsets, FurtherOnesAreThoseOfG541) {
 TEST(HaasWords, ThatAreNotReadDoNotMove) {
   for (const char* const word :
        {"G12 I10 Z-1 D1 F100", "G47 P0 X5 Y5 I0 J1 R1 Z-1 F10", "G150 X1 Y1 Z-1 P2"}) {
-    const Program program = read_as(Dialect::fanuc, std::string("G0 Z5\n") + word);
+    const ReadProgram program = read_as(Dialect::fanuc, std::string("G0 Z5\n") + word);
     EXPECT_TRUE(has_errors(program.diagnostics)) << word;
     EXPECT_EQ(text_of(program), (Lines{"rapid 0 0 5 @1"})) << word;
   }
@@ -83,7 +83,7 @@ TEST(Tapes, AColonIsAnO) {
 
 /// Order of execution of LinuxCNC: F before G20 and G21.
 TEST(LinuxCnc, TakesTheFeedInTheUnitBeforeItsBlock) {
-  const Program program = read_as(Dialect::linuxcnc, "G20 F60\nG1 X1\nG1 X2 F60\n");
+  const ReadProgram program = read_as(Dialect::linuxcnc, "G20 F60\nG1 X1\nG1 X2 F60\n");
   ASSERT_EQ(program.motions.size(), 2U);
   EXPECT_DOUBLE_EQ(program.motions[0].feed, 1);
   EXPECT_DOUBLE_EQ(program.motions[1].feed, 25.4);
@@ -91,13 +91,13 @@ TEST(LinuxCnc, TakesTheFeedInTheUnitBeforeItsBlock) {
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(program.diagnostics[0].code, "feed-value");
   for (const Dialect dialect : {Dialect::fanuc, Dialect::grbl}) {
-    const Program other = read_clean_as(dialect, "G20 F60\nG1 X1\n");
+    const ReadProgram other = read_clean_as(dialect, "G20 F60\nG1 X1\n");
     EXPECT_DOUBLE_EQ(other.motions[0].feed, 25.4);
   }
 }
 
 TEST(Printers, CommandsWithNamesMoveNothingAndAreSaid) {
-  const Program program = read_text(
+  const ReadProgram program = read_text(
       "start_print BED=60\n"
       "G1 X5 F600\n"
       "SET_VELOCITY_LIMIT ACCEL=2000 VELOCITY=100\n"
@@ -119,7 +119,7 @@ TEST(Printers, OtherNamesStayThoseOfTheSinumerik) {
 }
 
 TEST(Printers, WaitMillisecondsAndSecondsAndDoNotLevelOnTheWay) {
-  const Program program = read_as(Dialect::grbl, "M104 S200\nG0 X5\nG29\nG4 P500\nG4 S3\nG1 X9 F600");
+  const ReadProgram program = read_as(Dialect::grbl, "M104 S200\nG0 X5\nG29\nG4 P500\nG4 S3\nG1 X9 F600");
   ASSERT_EQ(program.motions.size(), 4U);
   EXPECT_EQ(program.motions[1].dwell, 0.5);
   EXPECT_EQ(program.motions[2].dwell, 3);
@@ -134,7 +134,7 @@ TEST(Printers, WaitMillisecondsAndSecondsAndDoNotLevelOnTheWay) {
     }
   }
   for (const std::string word : {"M3 S1000", "M8", "M30", "M0", "(M300)", "; E5", "M56 P1"}) {
-    const Program waiting = without_events(read_as(Dialect::grbl, "G0 X5\nG4 P5\n" + word));
+    const ReadProgram waiting = without_events(read_as(Dialect::grbl, "G0 X5\nG4 P5\n" + word));
     EXPECT_EQ(waiting.motions.back().dwell, 5) << word;
   }
   EXPECT_EQ(said_of(Dialect::grbl, "G0 X5\nG4 P150"),
@@ -221,7 +221,7 @@ TEST(CutterOffsets, NumberDStaysFromABlockBefore) {
 }
 
 TEST(RotaryAxes, AreSaidOnceEach) {
-  const Program program = read_as(Dialect::fanuc, "G0 X1 A1 C1\nX2 A2 C2\nX3 A3 C3");
+  const ReadProgram program = read_as(Dialect::fanuc, "G0 X1 A1 C1\nX2 A2 C2\nX3 A3 C3");
   EXPECT_EQ(program.diagnostics.size(), 2U);
   EXPECT_EQ(program.motions.size(), 3U);
 }

@@ -24,7 +24,7 @@ struct PartBench {
   }
 
   ReadOptions options;
-  Program program;
+  ReadProgram program;
   DiagnosticLog log;
   PathWriter path{program, log};
   LineRunner lines{std::make_shared<const SourceText>("test.nc", "G0 X1\n"), options, log};

@@ -10,7 +10,7 @@ namespace {
 
 /// Of the last motion.
 PathControl control_of(Dialect dialect, const std::string& text) {
-  const Program program = read_clean_as(dialect, text);
+  const ReadProgram program = read_clean_as(dialect, text);
   return program.path_controls.at(program.motions.back().path_control);
 }
 
@@ -26,7 +26,7 @@ TEST(IsoPathControl, ExactStopsAreModal) {
 }
 
 TEST(IsoPathControl, G9StopsAtTheEndOfItsBlockOnly) {
-  const Program program = read_clean_as(Dialect::fanuc, "G64 G1 X1 F100\nG9 X2\nX3");
+  const ReadProgram program = read_clean_as(Dialect::fanuc, "G64 G1 X1 F100\nG9 X2\nX3");
   const auto mode = [&](std::size_t i) {
     return program.path_controls.at(program.motions[i].path_control).mode;
   };
@@ -62,7 +62,7 @@ TEST(IsoPathControl, LookAheadIsSwitched) {
 
 /// As Fanuc writes it, with the axes that it is for (Series 15i/150i-MA, Operator's Manual, 4.16).
 TEST(IsoPathControl, SmoothInterpolationIsNeitherLookAheadNorASpline) {
-  const Program after = read_as(Dialect::fanuc, "G05.1 Q1\nG05.1 Q2 X0 Y0 Z0\nG1 X1 F100");
+  const ReadProgram after = read_as(Dialect::fanuc, "G05.1 Q1\nG05.1 Q2 X0 Y0 Z0\nG1 X1 F100");
   const PathControl& smooth = after.path_controls.at(after.motions.back().path_control);
   EXPECT_EQ(smooth.look_ahead, Switch::machine);
   EXPECT_EQ(smooth.compressor, Switch::machine);
@@ -70,7 +70,7 @@ TEST(IsoPathControl, SmoothInterpolationIsNeitherLookAheadNorASpline) {
   EXPECT_TRUE(said.starts_with("f:2:7: warning: G5.1 Q2 (smooth interpolation) is not supported [unread-g]"))
       << said;
   EXPECT_EQ(said.find('\n'), std::string::npos) << said << ": its axis words are no places";
-  const Program program = read_as(Dialect::fanuc, "G1 X5 F100\nG05.1 Q2 X0 Y0 Z0\nX9");
+  const ReadProgram program = read_as(Dialect::fanuc, "G1 X5 F100\nG05.1 Q2 X0 Y0 Z0\nX9");
   EXPECT_EQ(text_of(program), (Lines{"line 5 0 0 @1", "line 9 0 0 @3"}));
 }
 
@@ -95,7 +95,7 @@ TEST(IsoPathControl, ATooSmallToleranceIsRaised) {
       said_of(Dialect::linuxcnc, "G0 X1\nG64 P0.0000001\nX2"),
       "f:2:5: warning: tolerance P0.0000001 of G64 is below 0.000001 mm [path-tolerance] (0.000001 mm is "
       "used, the smallest that is simulated)");
-  const Program program = read_as(Dialect::linuxcnc, "G20\nG64 P0.00000001 Q0.00000001\nG0 X1");
+  const ReadProgram program = read_as(Dialect::linuxcnc, "G20\nG64 P0.00000001 Q0.00000001\nG0 X1");
   const PathControl& control = program.path_controls.at(program.motions.back().path_control);
   EXPECT_EQ(control.contour_tolerance, 1e-6);
   EXPECT_EQ(control.compaction_tolerance, 1e-6);

@@ -37,7 +37,7 @@ TEST(IsoPolarWords, IncrementalOnesAddToWhereTheToolIs) {
 }
 
 TEST(IsoPolarWords, RepeatedHolesGoRound) {
-  const Program program =
+  const ReadProgram program =
       read_clean_as(Dialect::linuxcnc, "G0 X8 Y0 Z5 F60\nG91 G99 G81 ^[360/6] R-4 Z-2 L6\n");
   int holes = 0;
   for (const MotionBlock& block : program.motions) {

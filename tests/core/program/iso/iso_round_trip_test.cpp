@@ -103,7 +103,7 @@ TEST(IsoRoundTrip, RandomPathsReadBackTheSameThroughVariablesBranchesLoopsAndCal
     const std::vector<Move> path = random_path(random);
     for (const Dialect dialect : {Dialect::linuxcnc, Dialect::fanuc}) {
       const std::string text = MacroWriter(dialect, random).written(path);
-      const Program program = read_clean_as(dialect, text);
+      const ReadProgram program = read_clean_as(dialect, text);
       expect_same(path, program, 0);
       if (HasFailure()) {
         FAIL() << "round " << round << "\n" << text;

@@ -13,10 +13,10 @@
 namespace feedscope {
 namespace {
 
-Program read_sample(const std::string& name) {
+ReadProgram read_sample(const std::string& name) {
   const std::filesystem::path file =
       std::filesystem::path(FEEDSCOPE_SOURCE_DIR) / "resources" / "programs" / name;
-  Program program = read_program(std::make_shared<const SourceText>(SourceText::from_file(file)));
+  ReadProgram program = read_program(std::make_shared<const SourceText>(SourceText::from_file(file)));
   for (const Diagnostic& diagnostic : program.diagnostics) {
     ADD_FAILURE() << format(diagnostic, name);
   }
@@ -24,7 +24,7 @@ Program read_sample(const std::string& name) {
 }
 
 TEST(IsoSamples, FanucBoresAreHelicesAtTheirPlaces) {
-  const Program program = read_sample("fanuc_bores.nc");
+  const ReadProgram program = read_sample("fanuc_bores.nc");
   EXPECT_EQ(program.dialect, Dialect::fanuc);
   // 12 mm by 1.5 mm are eight turns, and one more cleans the ground.
   ASSERT_EQ(program.arcs.size(), 4U * 9);
@@ -43,7 +43,7 @@ TEST(IsoSamples, FanucBoresAreHelicesAtTheirPlaces) {
 }
 
 TEST(IsoSamples, FanucFlangeKeepsTheCutterBesideItsContours) {
-  const Program program = read_sample("fanuc_flange.nc");
+  const ReadProgram program = read_sample("fanuc_flange.nc");
   EXPECT_EQ(program.dialect, Dialect::fanuc);
   // Outside: 10 mm corners and a cutter of 6 mm radius; slots: half circles of 7 mm and one of 4 mm.
   std::vector<double> radii;
@@ -72,7 +72,7 @@ TEST(IsoSamples, FanucFlangeKeepsTheCutterBesideItsContours) {
 }
 
 TEST(IsoSamples, LinuxCncSuperellipseIsOneInEveryPass) {
-  const Program program = read_sample("linuxcnc_superellipse.ngc");
+  const ReadProgram program = read_sample("linuxcnc_superellipse.ngc");
   EXPECT_EQ(program.dialect, Dialect::linuxcnc);
   std::vector<PathControl> passes;
   int points = 0;

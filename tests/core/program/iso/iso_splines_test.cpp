@@ -13,8 +13,8 @@ namespace feedscope {
 namespace {
 
 /// Reads a program of which only "curve-as-arcs" is said.
-Program curve(const std::string& text) {
-  Program program = read_as(Dialect::linuxcnc, text);
+ReadProgram curve(const std::string& text) {
+  ReadProgram program = read_as(Dialect::linuxcnc, text);
   EXPECT_FALSE(program.diagnostics.empty()) << text;
   for (const Diagnostic& diagnostic : program.diagnostics) {
     EXPECT_EQ(diagnostic.code, "curve-as-arcs") << format(diagnostic, "f");
@@ -23,7 +23,7 @@ Program curve(const std::string& text) {
 }
 
 /// Unit, at the end of motion `i`.
-Vec3 direction_at_end(const Program& program, std::size_t i) {
+Vec3 direction_at_end(const ReadProgram& program, std::size_t i) {
   const MotionBlock& block = program.motions[i];
   if (block.motion == Motion::arc) {
     const ArcWords& arc = program.arcs.at(static_cast<std::size_t>(block.arc));
@@ -33,7 +33,7 @@ Vec3 direction_at_end(const Program& program, std::size_t i) {
 }
 
 TEST(IsoSplines, ACubicWithItsPointsOnALineIsThatLine) {
-  const Program program = curve("G5 I10 J10 P-10 Q-10 X30 Y30 Z3 F60");
+  const ReadProgram program = curve("G5 I10 J10 P-10 Q-10 X30 Y30 Z3 F60");
   EXPECT_EQ(text_of(program), (Lines{"line 30 30 3 @1"}));
   EXPECT_EQ(program.motions.back().feed, 1);
 }
@@ -41,12 +41,12 @@ TEST(IsoSplines, ACubicWithItsPointsOnALineIsThatLine) {
 TEST(IsoSplines, ACubicGoesThroughItsMiddle) {
   // At half of the parameter: (P0 + 3 P1 + 3 P2 + P3) / 8; there it is level, so that an arc is highest
   // there.
-  const Program program = curve("G0 X10 Y20\nG5 I5 J20 P-5 Q20 X40 Y20 F60");
+  const ReadProgram program = curve("G0 X10 Y20\nG5 I5 J20 P-5 Q20 X40 Y20 F60");
   EXPECT_NEAR(build_toolpath(program).bounds.max.y(), (20 + 3 * 40 + 3 * 40 + 20) / 8.0, 1e-9);
 }
 
 TEST(IsoSplines, ACubicGoesOnWhereTheLastOnePointed) {
-  const Program program = curve("G5 I0 J10 P-10 Q0 X20 Y20 F60\nP0 Q10 X40 Y0");
+  const ReadProgram program = curve("G5 I0 J10 P-10 Q0 X20 Y20 F60\nP0 Q10 X40 Y0");
   std::size_t second = 0;
   while (program.motions[second].line == 1) {
     ++second;
@@ -58,7 +58,7 @@ TEST(IsoSplines, ACubicGoesOnWhereTheLastOnePointed) {
 }
 
 TEST(IsoSplines, AQuadraticIsAParabola) {
-  const Program program = curve("G0 X-2 Y4\nG5.1 I2 J-8 X2 Y4 F60");
+  const ReadProgram program = curve("G0 X-2 Y4\nG5.1 I2 J-8 X2 Y4 F60");
   EXPECT_GT(program.motions.size(), 8U);
   for (const MotionBlock& block : program.motions) {
     const double slope = 2 * block.target.x();
@@ -69,7 +69,7 @@ TEST(IsoSplines, AQuadraticIsAParabola) {
 }
 
 TEST(IsoSplines, NurbsMakeAnExactQuarterCircle) {
-  const Program program =
+  const ReadProgram program =
       curve("G0 X10 Y0\nG1 F60\nG5.2 X10 Y10 P0.70710678118654752 L3\nX0 Y10 P1\nG5.3\nG0 X0");
   ASSERT_EQ(program.arcs.size(), 2U);
   for (const ArcWords& arc : program.arcs) {
@@ -80,7 +80,7 @@ TEST(IsoSplines, NurbsMakeAnExactQuarterCircle) {
 }
 
 TEST(IsoSplines, NurbsOfManyPointsBeginAndEndOnThem) {
-  const Program program =
+  const ReadProgram program =
       curve("G1 F60\nG5.2 P1 L4\nX0 Y1 P1\nX2 Y2 P1\nX2 Y0 P1\nX0 Y0 P2\nX-3 Y1 P1\nG5.3");
   EXPECT_EQ(program.motions.back().target, Vec3(-3, 1, 0));
   const Toolpath path = build_toolpath(program);
@@ -92,14 +92,14 @@ TEST(IsoSplines, NurbsOfManyPointsBeginAndEndOnThem) {
 
 TEST(IsoSplines, AreArcsInATurnedMirroredAndEvenlyScaledFrameAndExactInAnUnevenOne) {
   const std::string g5 = "G5 I5 J20 P-5 Q20 X40 Y10 F60";
-  const Program plain = curve(g5);
-  const Program turned = read_as(Dialect::fanuc, "G68 X0 Y0 R90\nG5.1 X2 Y4 I1 J0 F60");
+  const ReadProgram plain = curve(g5);
+  const ReadProgram turned = read_as(Dialect::fanuc, "G68 X0 Y0 R90\nG5.1 X2 Y4 I1 J0 F60");
   EXPECT_GT(turned.arcs.size(), 3U);
   EXPECT_NEAR((turned.motions.back().target - Vec3(-4, 2, 0)).norm(), 0, 1e-12);
   EXPECT_NEAR((direction_at_end(turned, turned.motions.size() - 1) - Vec3(-4, 1, 0).normalized()).norm(), 0,
               1e-9)
       << "turned by a quarter";
-  const Program uneven = read_as(Dialect::fanuc, "G51 X0 Y0 Z0 I1. J3. K1.\nG5.1 X2 Y4 I1 J0 F60");
+  const ReadProgram uneven = read_as(Dialect::fanuc, "G51 X0 Y0 Z0 I1. J3. K1.\nG5.1 X2 Y4 I1 J0 F60");
   EXPECT_GT(uneven.arcs.size(), 3U);
   for (const MotionBlock& block : uneven.motions) {
     const double x = block.target.x();
@@ -109,7 +109,7 @@ TEST(IsoSplines, AreArcsInATurnedMirroredAndEvenlyScaledFrameAndExactInAnUnevenO
 }
 
 TEST(IsoSplines, BecomeLinesUnderCutterCompensation) {
-  const Program program =
+  const ReadProgram program =
       read_as(Dialect::linuxcnc,
               "G10 L1 P1 R2\nT1 M6\nG1 X0 F60\nG41 D1 X10\nG5 I5 J20 P-5 Q20 X40 Y10\nG1 X60\nG40 X70");
   EXPECT_EQ(std::count_if(program.diagnostics.begin(), program.diagnostics.end(),
@@ -123,7 +123,7 @@ TEST(IsoSplines, IncrementalPointsAddUp) {
 }
 
 TEST(IsoSplines, InverseTimeIsThatOfTheWholeCurve) {
-  const Program program = curve("G93 G5 I10 J0 P-10 Q0 X30 Y0 F60");
+  const ReadProgram program = curve("G93 G5 I10 J0 P-10 Q0 X30 Y0 F60");
   double time = 0;
   for (const Segment& segment : build_toolpath(program).segments) {
     time += segment.length / segment.feed;
@@ -132,9 +132,9 @@ TEST(IsoSplines, InverseTimeIsThatOfTheWholeCurve) {
 }
 
 TEST(FanucNurbs, MakeAnExactQuarterCircle) {
-  const Program program = read_as(Dialect::fanuc,
-                                  "G0 X10 Y0\nG6.2 P3 K0 X10 Y0 R1 F60\nK0 X10 Y10 R0.70710678118654752\n"
-                                  "K0 X0 Y10 R1\nK1\nK1\nK1\nG1 X-5");
+  const ReadProgram program = read_as(Dialect::fanuc,
+                                      "G0 X10 Y0\nG6.2 P3 K0 X10 Y0 R1 F60\nK0 X10 Y10 R0.70710678118654752\n"
+                                      "K0 X0 Y10 R1\nK1\nK1\nK1\nG1 X-5");
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(program.diagnostics[0].code, "curve-as-arcs");
   ASSERT_EQ(program.arcs.size(), 2U);
@@ -150,7 +150,7 @@ TEST(FanucNurbs, OfOrderFourIsABezierCurveInSpaceAndMayFollowAnother) {
   const std::string curve =
       "G6.2 P4 K0 X0 Y0 Z0 F60\nK0 X0 Y10 Z1\nK0 X10 Y10 Z2\nK0 X10 Y0 Z3\nK1\nK1\nK1\nK1\n";
   const std::string next = "G6.2 K0 X10 Y0 Z3\nK0 X10 Y-10\nK0 X20 Y-10\nK0 X20 Y0\nK1\nK1\nK1\nK1\nM30";
-  const Program program = read_as(Dialect::fanuc, curve + next);
+  const ReadProgram program = read_as(Dialect::fanuc, curve + next);
   EXPECT_FALSE(has_errors(program.diagnostics));
   const Toolpath path = build_toolpath(program);
   double near_middle = 1e9;
@@ -162,7 +162,7 @@ TEST(FanucNurbs, OfOrderFourIsABezierCurveInSpaceAndMayFollowAnother) {
 }
 
 TEST(FanucNurbs, SayWhatDoesNotMakeACurve) {
-  const Program program = read_as(Dialect::fanuc, "G6.2 P4 K0 X0 Y0 F60\nK0 X0 Y10\nK1 X10 Y10\nG0 X9");
+  const ReadProgram program = read_as(Dialect::fanuc, "G6.2 P4 K0 X0 Y0 F60\nK0 X0 Y10\nK1 X10 Y10\nG0 X9");
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(
       format(program.diagnostics[0], "f"),
@@ -172,7 +172,7 @@ TEST(FanucNurbs, SayWhatDoesNotMakeACurve) {
 }
 
 TEST(LinuxcncNurbs, OfG62IsSaidNotToBeSupported) {
-  const Program program =
+  const ReadProgram program =
       read_as(Dialect::linuxcnc, "G0 X0 Y0\nG6.2 P1 Q1 X0 Y1 F60\nX2 Y2 P1\nX2 Y0 P1\nG0 X9 Y0");
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(format(program.diagnostics[0], "f"),
@@ -190,7 +190,7 @@ struct FaultCase {
 class IsoSplineFault : public testing::TestWithParam<FaultCase> {};
 
 TEST_P(IsoSplineFault, NamesTheWord) {
-  const Program program = read_as(Dialect::linuxcnc, GetParam().text);
+  const ReadProgram program = read_as(Dialect::linuxcnc, GetParam().text);
   ASSERT_FALSE(program.diagnostics.empty());
   EXPECT_EQ(format(program.diagnostics[0], "f"), GetParam().expected);
   EXPECT_EQ(program.motions.back().target, Vec3(9, 0, 0)) << "the position goes on";

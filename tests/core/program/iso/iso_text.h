@@ -10,13 +10,13 @@
 
 namespace feedscope {
 
-inline Program read_as(Dialect dialect, std::string text) {
+inline ReadProgram read_as(Dialect dialect, std::string text) {
   return read_text(std::move(text), {.dialect = dialect});
 }
 
 /// Reads a program that must be free of diagnostics.
-inline Program read_clean_as(Dialect dialect, const std::string& text) {
-  Program program = read_as(dialect, text);
+inline ReadProgram read_clean_as(Dialect dialect, const std::string& text) {
+  ReadProgram program = read_as(dialect, text);
   for (const Diagnostic& diagnostic : program.diagnostics) {
     ADD_FAILURE() << format(diagnostic, "test.nc") << "\n" << text;
   }
@@ -26,7 +26,7 @@ inline Program read_clean_as(Dialect dialect, const std::string& text) {
 /// The X positions that a program goes to, one a motion; it must be free of diagnostics.
 inline std::vector<double> way(Dialect dialect, const std::string& text) {
   std::vector<double> positions;
-  const Program program = without_events(read_clean_as(dialect, text));
+  const ReadProgram program = without_events(read_clean_as(dialect, text));
   for (const MotionBlock& block : program.motions) {
     positions.push_back(block.target.x());
   }
@@ -35,7 +35,7 @@ inline std::vector<double> way(Dialect dialect, const std::string& text) {
 
 /// The only diagnostic of a text, as printed.
 inline std::string said_of(Dialect dialect, const std::string& text) {
-  const Program program = read_as(dialect, text);
+  const ReadProgram program = read_as(dialect, text);
   EXPECT_EQ(program.diagnostics.size(), 1U) << text;
   return program.diagnostics.empty() ? "" : format(program.diagnostics.front(), "f");
 }

@@ -25,7 +25,7 @@ TEST(IsoVariables, NamesForgetBlanksAndCase) {
 }
 
 TEST(IsoVariables, RuleGWordsFeedsAndDwells) {
-  const Program program = read_clean_as(Dialect::linuxcnc, "#1=1 #2=600\nG#1 X1 F#2\nG4 P[#1/2]\n");
+  const ReadProgram program = read_clean_as(Dialect::linuxcnc, "#1=1 #2=600\nG#1 X1 F#2\nG4 P[#1/2]\n");
   ASSERT_EQ(program.motions.size(), 2U);
   EXPECT_EQ(program.motions[0].motion, Motion::line);
   EXPECT_EQ(program.motions[0].feed, 10);
@@ -41,7 +41,7 @@ TEST(IsoVariables, FanucAssignsInOrder) {
 }
 
 TEST(IsoVariables, AFanucWordWithoutAValueIsLeftOut) {
-  const Program program = read_clean_as(Dialect::fanuc, "G0 X1 Y1\nG0 X#5 Y-#6 Z2\n#7=#0\nX#7 Z3\n");
+  const ReadProgram program = read_clean_as(Dialect::fanuc, "G0 X1 Y1\nG0 X#5 Y-#6 Z2\n#7=#0\nX#7 Z3\n");
   ASSERT_EQ(program.motions.size(), 3U);
   EXPECT_EQ(program.motions[2].target, Vec3(1, 1, 3));
 }
@@ -100,7 +100,7 @@ TEST(IsoVariables, ThoseOfTheControlCannotBeSet) {
 }
 
 TEST(IsoVariables, AnAlarmEndsTheProgram) {
-  const Program program = read_as(Dialect::fanuc, "G0 X1\n#3000=12(NO TOOL)\nX5\n");
+  const ReadProgram program = read_as(Dialect::fanuc, "G0 X1\n#3000=12(NO TOOL)\nX5\n");
   ASSERT_EQ(program.motions.size(), 1U);
   ASSERT_EQ(program.diagnostics.size(), 2U);
   EXPECT_EQ(

@@ -128,7 +128,7 @@ TEST(CompensationGouge, ANotchWithoutWidthIsAnInsideCorner) {
   LineWriter notch;
   notch.rapid({-20, -20, 0}).on(ToolSide::left, 5).line({0, -10, 0}).line({0, 0, 0});
   notch.arc({20, 0, 0}, {10, 0, 0}, -Vec3::UnitZ()).arc({40, 0, 0}, {30, 0, 0}, -Vec3::UnitZ());
-  const Program program = notch.line({40, -10, 0}).off().line({60, -20, 0}).finish_clean();
+  const ReadProgram program = notch.line({40, -10, 0}).off().line({60, -20, 0}).finish_clean();
   ASSERT_EQ(program.motions.size(), 7U);
   EXPECT_NEAR((program.motions[3].target - Vec3(20, std::sqrt(15 * 15 - 10 * 10), 0)).norm(), 0, 1e-9);
 
@@ -136,14 +136,14 @@ TEST(CompensationGouge, ANotchWithoutWidthIsAnInsideCorner) {
   LineWriter mirrored;
   mirrored.rapid({-20, 20, 0}).on(ToolSide::right, 5).line({0, 10, 0}).line({0, 0, 0});
   mirrored.arc({20, 0, 0}, {10, 0, 0}, Vec3::UnitZ()).arc({44, 0, 0}, {32, 0, 0}, Vec3::UnitZ());
-  const Program below = mirrored.line({44, 10, 0}).off().line({60, 20, 0}).finish_clean();
+  const ReadProgram below = mirrored.line({44, 10, 0}).off().line({60, 20, 0}).finish_clean();
   EXPECT_LT(below.motions.at(3).target.y(), -10);
 
   // From the other side the same place is a tip.
   LineWriter tip;
   tip.rapid({-20, -20, 0}).on(ToolSide::right, 5).line({0, -10, 0}).line({0, 0, 0});
   tip.arc({20, 0, 0}, {10, 0, 0}, -Vec3::UnitZ()).arc({40, 0, 0}, {30, 0, 0}, -Vec3::UnitZ());
-  const Program around = tip.line({40, -10, 0}).off().line({60, -20, 0}).finish_clean();
+  const ReadProgram around = tip.line({40, -10, 0}).off().line({60, -20, 0}).finish_clean();
   ASSERT_EQ(around.arcs.size(), 3U);
   EXPECT_NEAR((around.arcs[1].center - Vec3(20, 0, 0)).norm(), 0, 1e-9);
 }
@@ -162,7 +162,7 @@ std::vector<Vec3> random_star(std::mt19937& random) {
 }
 
 /// How much closer than its radius the tool's centre comes to the contour, looked at all along its path.
-double deepest_cut(const Program& program, const std::vector<Vec3>& corners, double radius) {
+double deepest_cut(const ReadProgram& program, const std::vector<Vec3>& corners, double radius) {
   double nearest = radius;
   Vec3 start = Vec3::Zero();
   for (const MotionBlock& block : program.motions) {
@@ -201,7 +201,7 @@ TEST(CompensationGouge, InRandomContoursIsSaidIfAndOnlyIfTheToolCutsIn) {
     writer.rapid(start * (side == ToolSide::left ? 0.5 : 3)).on(side, radius).line(start);
     through(writer, corners).line(start).off();
     writer.line(start * (side == ToolSide::left ? 0.5 : 3));
-    const Program program = writer.finish();
+    const ReadProgram program = writer.finish();
     const double depth = deepest_cut(program, corners, radius);
     if (depth > 0.011) {
       EXPECT_FALSE(program.diagnostics.empty()) << "round " << round << ": " << depth << " mm at " << radius;
@@ -253,7 +253,7 @@ TEST(CompensationGouge, OfARoundThatOverrunsItsFirstCornerIsSaidIfAndOnlyIfTheTo
     LineWriter writer;
     writer.rapid(start + 0.001 * first).on(side, radius).line(start);
     through(writer, {corners.begin() + 1, corners.end()}).line(end).off().line({200, 200, 0});
-    const Program program = writer.finish();
+    const ReadProgram program = writer.finish();
     double depth = 0;
     bool backward = false;  // there is no room beside a side, were it longer
     Vec3 tool = Vec3::Zero();
@@ -295,7 +295,7 @@ TEST(CompensationGouge, ALongContourIsReadInLinearTime) {
     const double x = 0.01 * i;
     writer.line({x, 3 - 3 * std::cos(x / 3), 0});
   }
-  const Program program = writer.off().line({500, 50, 0}).finish_clean();
+  const ReadProgram program = writer.off().line({500, 50, 0}).finish_clean();
   EXPECT_GT(program.motions.size(), 40000U);
 }
 

@@ -51,7 +51,8 @@ std::vector<Element> random_contour(std::mt19937& random) {
   return contour;
 }
 
-Program compensated(const std::vector<Element>& contour, ToolSide side, double radius, OutsideCorner corner) {
+ReadProgram compensated(const std::vector<Element>& contour, ToolSide side, double radius,
+                        OutsideCorner corner) {
   LineWriter writer(corner);
   writer.on(side, radius);
   for (const Element& element : contour) {
@@ -64,7 +65,7 @@ Program compensated(const std::vector<Element>& contour, ToolSide side, double r
   return writer.finish();
 }
 
-Vec3 middle_of(const Vec3& start, const MotionBlock& block, const Program& program) {
+Vec3 middle_of(const Vec3& start, const MotionBlock& block, const ReadProgram& program) {
   if (block.motion != Motion::arc) {
     return (start + block.target) / 2;
   }
@@ -85,7 +86,7 @@ TEST(CutterCompensation, KeepsItsDistanceWhereverNoGougeIsDiagnosed) {
     const double radius = 0.5 + 3 * static_cast<double>(random() % 1000) / 1000;
     const OutsideCorner corner = round % 2 == 0 ? OutsideCorner::arc : OutsideCorner::lines;
     const ToolSide side = round % 4 < 2 ? ToolSide::left : ToolSide::right;
-    const Program program = compensated(contour, side, radius, corner);
+    const ReadProgram program = compensated(contour, side, radius, corner);
     std::vector<bool> gouged(contour.size() + 2, false);
     for (const Diagnostic& diagnostic : program.diagnostics) {
       for (std::size_t line = diagnostic.line; line < std::min(diagnostic.line + 2UL, gouged.size());
@@ -132,7 +133,7 @@ TEST(CutterCompensation, AroundAConvexContourIsAsFarFromAllOfIt) {
       writer.line(corner);
     }
     writer.line(corners.front());
-    const Program program = writer.finish_clean();
+    const ReadProgram program = writer.finish_clean();
     for (std::size_t i = 2; i < program.motions.size(); ++i) {
       const Vec3 middle = middle_of(program.motions[i - 1].target, program.motions[i], program);
       double nearest = 1e9;

@@ -30,7 +30,7 @@ TEST(CutterCompensation, LeavesTheContourAloneForRadiusZero) {
 
 TEST(CutterCompensation, RunsInsideASquareFromMeetingPointToMeetingPoint) {
   LineWriter writer;
-  const Program program = around_square(writer, ToolSide::left, 3).finish();
+  const ReadProgram program = around_square(writer, ToolSide::left, 3).finish();
   EXPECT_EQ(text_of(program), (Lines{"rapid -10 0 0 @1", "line 0 3 0 @2", "line 17 3 0 @3", "line 17 17 0 @4",
                                      "line 3 17 0 @5", "line 3 0 0 @6", "line -10 0 0 @7"}))
       << "entry and exit are square beside the ends";
@@ -43,7 +43,7 @@ TEST(CutterCompensation, RunsInsideASquareFromMeetingPointToMeetingPoint) {
 
 TEST(CutterCompensation, RunsAroundOutsideCornersOnArcsAboutThem) {
   LineWriter writer;
-  const Program program = around_square(writer, ToolSide::right, 3).finish_clean();
+  const ReadProgram program = around_square(writer, ToolSide::right, 3).finish_clean();
   EXPECT_EQ(text_of(program), (Lines{"rapid -10 0 0 @1", "line 0 -3 0 @2", "line 20 -3 0 @3", "arc 23 0 0 @4",
                                      "line 23 20 0 @4", "arc 20 23 0 @5", "line 0 23 0 @5", "arc -3 20 0 @6",
                                      "line -3 0 0 @6", "line -10 0 0 @7"}));
@@ -70,7 +70,7 @@ TEST(CutterCompensation, CutsTheTipOffSharpOutsideCorners) {
 TEST(CutterCompensation, TurnsAboutTheEndWhereTheContourComesBack) {
   LineWriter writer;
   writer.on(ToolSide::left, 2).line({0, 10, 0}).line({10, 10, 0}).line({0, 10, 0}).off().line({0, 0, 0});
-  const Program program = writer.finish_clean();
+  const ReadProgram program = writer.finish_clean();
   EXPECT_EQ(text_of(program),
             (Lines{"line 0 12 0 @1", "line 10 12 0 @2", "arc 10 8 0 @3", "line 0 8 0 @3", "line 0 0 0 @4"}));
   EXPECT_EQ(program.arcs.at(0).axis, Vec3(0, 0, -1));
@@ -98,7 +98,7 @@ TEST_P(CompensatedCircle, RunsOnTheCircleBeside) {
     LineWriter writer;
     writer.on(GetParam().side, 4).line({10, 0, 0});
     writer.arc({10, 0, -6}, {0, 0, 0}, GetParam().axis * Vec3::UnitZ(), extra).off().line({0, 0, -6});
-    const Program program = writer.finish_clean();
+    const ReadProgram program = writer.finish_clean();
     const double r = GetParam().expected;
     EXPECT_EQ(text_of(program),
               (Lines{fmt::format("line {} 0 0 @1", r), fmt::format("arc {} 0 -6 @2", r), "line 0 0 -6 @3"}));
@@ -140,7 +140,7 @@ TEST(CutterCompensation, InsideCornersBetweenLineAndArcEndWhereThePathsMeet) {
   LineWriter writer;
   writer.rapid({-20, 0, 0}).on(ToolSide::left, 2).line({0, 0, 0}).line({10, 0, 0});
   writer.arc({-10, 0, 0}, {0, 0, 0}, Vec3::UnitZ()).line({0, 0, 0}).off().line({0, 5, 0});
-  const Program program = writer.finish_clean();
+  const ReadProgram program = writer.finish_clean();
   const double x = std::sqrt(8.0 * 8 - 2 * 2);
   ASSERT_EQ(program.motions.size(), 6U);
   EXPECT_LT((program.motions[2].target - Vec3(x, 2, 0)).norm(), 1e-9);
@@ -186,7 +186,7 @@ TEST(CutterCompensation, RapidsAreCompensatedAndMeetOnRapids) {
 }
 
 /// The motions to four decimals, as rs274 of LinuxCNC prints them.
-Lines as_of_rs274(const Program& program) {
+Lines as_of_rs274(const ReadProgram& program) {
   constexpr const char* names[] = {"STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "ARC_FEED"};
   Lines lines;
   for (const MotionBlock& block : program.motions) {
@@ -220,7 +220,7 @@ TEST(CutterCompensation, OnLinuxCncTurnsBelowATwentiethOfARadianAreNoCorners) {
     const Vec3 end = center + 2 * Vec3(std::sin(turn + 1), -std::cos(turn + 1), 0);
     arc.on(ToolSide::left, 1.5).line({20, 0, 0}).line({30, 0, 0}).arc(end, center, Vec3::UnitZ());
     arc.off().line({60, 40, 0});
-    const Program program = arc.finish_clean();
+    const ReadProgram program = arc.finish_clean();
     EXPECT_EQ(text_of(program).at(1), "line 30 1.5 0 @2");
     EXPECT_EQ(program.motions.at(2).motion, Motion::arc)
         << "not the line that takes the place of a wrong arc";
@@ -240,7 +240,7 @@ TEST(CutterCompensation, OnLinuxCncARapidCutsOutsideCornersOff) {
 
 TEST(CutterCompensation, ACutThatLinuxCncDoesNotLookAheadToIsAWarning) {
   LineWriter writer(linuxcnc_compensation);
-  const Program program = around_square(writer, ToolSide::left, 3).finish();
+  const ReadProgram program = around_square(writer, ToolSide::left, 3).finish();
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(program.diagnostics[0].code, "compensation-gouge");
   EXPECT_EQ(program.diagnostics[0].severity, Severity::warning) << "an error elsewhere";
@@ -253,7 +253,7 @@ TEST(CutterCompensation, OnLinuxCncALineWithoutRoomBeforeAnArcRunsBack) {
   writer.arc({-4.506447, 8.454165, 0}, {-5.257889, 4.139947, 0}, Vec3::UnitZ());
   writer.line({-4.313839, 9.512348, 0});
   writer.arc({-0.723518, 5.101203, 0}, {-2.525854, 7.300935, 0}, Vec3::UnitZ());
-  const Program program = writer.off().line({4.134167, 9.081316, 0}).finish();
+  const ReadProgram program = writer.off().line({4.134167, 9.081316, 0}).finish();
   EXPECT_EQ(as_of_rs274(program),
             (Lines{"STRAIGHT_FEED(0.1751, 6.4709)", "ARC_FEED(0.0405, 6.8455)", "ARC_FEED(-2.7168, 9.5191)",
                    "STRAIGHT_FEED(-2.7692, 9.2312)", "ARC_FEED(-5.3009, 10.7332)", "ARC_FEED(0.2715, 3.8868)",
@@ -273,14 +273,14 @@ TEST(CutterCompensation, OnLinuxCncAnArcWithoutRoomBeforeAnArcIsAWholeTurn) {
            : writer.line({8, 8, 0});
     return writer.off().line({3.894847, 11.941274, 0}).finish();
   };
-  const Program program = contour(true);
+  const ReadProgram program = contour(true);
   EXPECT_EQ(as_of_rs274(program), (Lines{"STRAIGHT_FEED(3.9212, 1.2746)", "STRAIGHT_FEED(6.6669, 2.9932)",
                                          "ARC_FEED(6.5363, 3.0095)", "ARC_FEED(7.4891, 3.4272)",
                                          "ARC_FEED(7.2278, 9.5140)", "STRAIGHT_FEED(3.8948, 11.9413)"}));
   EXPECT_NEAR(program.bounds.max.y(), 9.5 + 6.549, 1e-3) << "over the top of the circle";
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(program.diagnostics[0].severity, Severity::warning);
-  const Program stopped = contour(false);
+  const ReadProgram stopped = contour(false);
   ASSERT_EQ(stopped.diagnostics.size(), 1U);
   EXPECT_EQ(stopped.diagnostics[0].severity, Severity::error);
 }
@@ -314,7 +314,7 @@ TEST(CutterCompensation, FramesMoveTheContourNotTheRadius) {
 
 TEST(CutterCompensation, BoundsAreThoseOfTheToolsCentre) {
   LineWriter writer;
-  const Program program = around_square(writer, ToolSide::right, 3).finish_clean();
+  const ReadProgram program = around_square(writer, ToolSide::right, 3).finish_clean();
   EXPECT_EQ(program.bounds.min, Vec3(-10, -3, 0));
   EXPECT_EQ(program.bounds.max, Vec3(23, 23, 0));
 }
@@ -330,7 +330,7 @@ class CompensationFault : public testing::TestWithParam<FaultCase> {};
 TEST_P(CompensationFault, NamesBlockAndRadius) {
   LineWriter writer;
   GetParam().write(writer);
-  const Program program = writer.finish();
+  const ReadProgram program = writer.finish();
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(format(program.diagnostics[0], "f"), GetParam().expected);
   for (const MotionBlock& block : program.motions) {

@@ -53,13 +53,13 @@ class LineWriter {
   }
   PathWriter& path() { return path_; }
 
-  Program finish() {
+  ReadProgram finish() {
     path_.finish();
     program_.diagnostics = log_.take();
     return std::move(program_);
   }
-  Program finish_clean() {
-    Program program = finish();
+  ReadProgram finish_clean() {
+    ReadProgram program = finish();
     for (const Diagnostic& diagnostic : program.diagnostics) {
       ADD_FAILURE() << format(diagnostic, "path");
     }
@@ -73,7 +73,7 @@ class LineWriter {
     path_.program_axes();
   }
 
-  Program program_;
+  ReadProgram program_;
   DiagnosticLog log_;
   PathWriter path_{program_, log_};
   CompensationRule rule_;

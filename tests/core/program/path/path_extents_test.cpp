@@ -107,7 +107,7 @@ TEST(PathExtents, AreThoseOfTheSampledPathCuttingAndRapidApart) {
     // The assumed start is no part of a path that begins with a rapid, so that it may not begin one here.
     path.front() = {Motion::line, Vec3(1, 2, 3), {}, 2, true, 0};
     const std::string text = written(path);
-    const Program program = read_text(text);
+    const ReadProgram program = read_text(text);
     const Reached found = reached(build_toolpath(program), samples);
     const double between = longest_arc / samples * 0.1;
     expect_tight(program.bounds, found.all, between);
@@ -122,7 +122,7 @@ TEST(PathExtents, HoldFullCirclesThatEndWhereTheyStart) {
   for (int i = 0; i < 200; ++i) {
     text += "G2 I-50\n";
   }
-  const Program program = read_text(text + "G0 Z80\n");
+  const ReadProgram program = read_text(text + "G0 Z80\n");
   EXPECT_LT((program.bounds.min - Vec3(-50, -50, 0)).norm(), 1e-12);
   EXPECT_LT((program.bounds.max - Vec3(50, 50, 80)).norm(), 1e-12);
   EXPECT_LT((program.cutting_bounds.max - Vec3(50, 50, 5)).norm(), 1e-12);
@@ -130,7 +130,7 @@ TEST(PathExtents, HoldFullCirclesThatEndWhereTheyStart) {
 }
 
 TEST(PathExtents, LeaveOutTheAssumedStart) {
-  const Program rapid = read_text("G0 Z50\nG0 X10 Y20\nZ1\nG1 Z-5 F100\nX30\n");
+  const ReadProgram rapid = read_text("G0 Z50\nG0 X10 Y20\nZ1\nG1 Z-5 F100\nX30\n");
   EXPECT_EQ(rapid.rapid_bounds.min, Vec3(10, 20, 1));
   EXPECT_EQ(rapid.rapid_bounds.max, Vec3(10, 20, 50));
   EXPECT_EQ(rapid.cutting_bounds.min, Vec3(10, 20, -5));

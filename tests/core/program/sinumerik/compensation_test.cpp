@@ -10,7 +10,7 @@ namespace feedscope {
 namespace {
 
 TEST(SinumerikCompensation, ToolRunsBesideASquareByTheRadiusThatTheProgramSets) {
-  const Program program =
+  const ReadProgram program =
       read_clean("$TC_DP6[3,1]=2\nT3 D1 F100\nG0 X-10 Y0\nG1 G41 X0 Y0\nY20\nX20\nY0\nX0\nG40 X0 Y-10");
   Bounds bounds;
   for (const MotionBlock& block : program.motions) {
@@ -33,7 +33,7 @@ TEST(SinumerikCompensation, CornersAreArcsOrLines) {
 
 /// The way of the centre past a corner at (0, 60) at which the contour, coming up along X = 0, turns right by
 /// `turn` [deg]; a tool of radius 5 on its left.
-Program around_corner(double turn) {
+ReadProgram around_corner(double turn) {
   const double angle = units::from_deg(turn);
   return read_clean(fmt::format(
       "$TC_DP6[1,1]=5\nT1 D1 F600\nG0 X-20 Y-20\nG451 G1 G41 X0 Y0\nY60\nX{:.12f} Y{:.12f}\nG40 X90",
@@ -44,7 +44,7 @@ Program around_corner(double turn) {
 TEST(SinumerikCompensation, G451GoesOnToWhereThePathsMeetUpToATurnOf100Degrees) {
   for (const double turn : {1.0, 30.0, 89.0, 90.0, 91.0, 95.0, 100.0}) {
     SCOPED_TRACE(turn);
-    const Program program = around_corner(turn);
+    const ReadProgram program = around_corner(turn);
     EXPECT_TRUE(program.arcs.empty());
     EXPECT_NEAR(program.motions[2].target.x(), -5, 1e-9);
     EXPECT_NEAR(program.motions[2].target.y(), 60 + 5 * std::tan(units::from_deg(turn) / 2), 1e-9);
@@ -55,7 +55,7 @@ TEST(SinumerikCompensation, G451GoesOnToWhereThePathsMeetUpToATurnOf100Degrees) 
 TEST(SinumerikCompensation, G451IsG450AboveATurnOf100Degrees) {
   for (const double turn : {100.1, 135.0, 170.0}) {
     SCOPED_TRACE(turn);
-    const Program program = around_corner(turn);
+    const ReadProgram program = around_corner(turn);
     ASSERT_EQ(program.arcs.size(), 1U);
     EXPECT_NEAR((program.arcs[0].center - Vec3(0, 60, 0)).norm(), 0, 1e-9);
     EXPECT_NEAR(program.motions[2].target.y(), 60, 1e-9);
@@ -63,9 +63,9 @@ TEST(SinumerikCompensation, G451IsG450AboveATurnOf100Degrees) {
 }
 
 TEST(SinumerikCompensation, EdgeZeroAndToolsWithoutRadiusShowTheContour) {
-  const Program none = read_clean("$TC_DP6[3,1]=2\nT3 F100\nG1 G42 D0 X10\nY10\nG40 X0");
+  const ReadProgram none = read_clean("$TC_DP6[3,1]=2\nT3 F100\nG1 G42 D0 X10\nY10\nG40 X0");
   expect_near(none.motions[1].target, {10, 10, 0});
-  const Program unknown = read_sinumerik("T3 D2 F100\nG1 G42 X10\nY10\nG40 X0");
+  const ReadProgram unknown = read_sinumerik("T3 D2 F100\nG1 G42 X10\nY10\nG40 X0");
   expect_near(unknown.motions[1].target, {10, 10, 0});
   ASSERT_EQ(unknown.diagnostics.size(), 1U);
   EXPECT_EQ(

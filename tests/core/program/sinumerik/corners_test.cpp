@@ -14,7 +14,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 TEST(SinumerikCorners, RoundingAtTheEndOfItsBlockAtTheFeedOfTheNext) {
-  const Program program = read_clean("G0 X0 Y0\nG1 X10 F600 RND=2\nY10 F300\n");
+  const ReadProgram program = read_clean("G0 X0 Y0\nG1 X10 F600 RND=2\nY10 F300\n");
   EXPECT_THAT(text_of(program),
               ElementsAre("rapid 0 0 0 @1", "line 8 0 0 @2", "arc 10 2 0 @2", "line 10 10 0 @3"));
   expect_near(program.arcs.at(0).center, {8, 2, 0});
@@ -24,7 +24,7 @@ TEST(SinumerikCorners, RoundingAtTheEndOfItsBlockAtTheFeedOfTheNext) {
 TEST(SinumerikCorners, ChamferByItsSideAndByItsLength) {
   EXPECT_THAT(text_of(read_clean("G0 X0 Y0\nG1 X10 F600 CHR=3\nY10\n")),
               ElementsAre("rapid 0 0 0 @1", "line 7 0 0 @2", "line 10 3 0 @2", "line 10 10 0 @3"));
-  const Program program = read_clean(
+  const ReadProgram program = read_clean(
       "G0 X0 Y0\nG1 X10 F600 CHF=1+1\nX20 Y10\n"
       "X30 CHF=1\nX20 Y20\n");
   EXPECT_NEAR((program.motions.at(2).target - program.motions.at(1).target).norm(), 2, 1e-9);
@@ -39,8 +39,9 @@ TEST(SinumerikCorners, ModalRoundingUntilItIsSwitchedOff) {
 }
 
 TEST(SinumerikCorners, ARoundingTooLargeForDensePointsLeavesNoArcWithoutLength) {
-  Program program = read_sinumerik("X1.624 Y7 RNDM=1399\nX12.968 Y8.03\nX12.225 Y8.999\nX11.399 Y9.899\n");
-  EXPECT_TRUE(std::isfinite(take_toolpath(program).length()));
+  ReadProgram program =
+      read_sinumerik("X1.624 Y7 RNDM=1399\nX12.968 Y8.03\nX12.225 Y8.999\nX11.399 Y9.899\n");
+  EXPECT_TRUE(std::isfinite(build_toolpath(program).length()));
 }
 
 TEST(SinumerikCorners, ModalRoundingLeavesOutWhatIsNoCornerOfAContour) {
@@ -50,7 +51,7 @@ TEST(SinumerikCorners, ModalRoundingLeavesOutWhatIsNoCornerOfAContour) {
 }
 
 TEST(SinumerikCorners, OwnFeed) {
-  const Program program =
+  const ReadProgram program =
       read_clean("G0 X0 Y0\nG1 X10 F600 RND=2 FRC=60\nY10 RND=1 FRCM=120\nX0 RND=1\nY0\n");
   EXPECT_NEAR(program.motions.at(2).feed, 1, 1e-12);
   EXPECT_NEAR(program.motions.at(4).feed, 2, 1e-12);
@@ -60,7 +61,7 @@ TEST(SinumerikCorners, OwnFeed) {
 
 // The largest circle that fits touches the end of the shorter line.
 TEST(SinumerikCorners, WhatDoesNotFitIsMadeSmaller) {
-  const Program program = read_sinumerik("G0 X0 Y0\nG1 X10 F600 RND=50\nY4\n");
+  const ReadProgram program = read_sinumerik("G0 X0 Y0\nG1 X10 F600 RND=50\nY4\n");
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_THAT(format(program.diagnostics[0], "f"), HasSubstr("4.000 mm are used"));
   EXPECT_EQ(program.diagnostics[0].severity, Severity::warning);
@@ -70,7 +71,7 @@ TEST(SinumerikCorners, WhatDoesNotFitIsMadeSmaller) {
 
 TEST(SinumerikCorners, WhatCannotBeCutIsSaid) {
   const auto said = [](const std::string& text) {
-    const Program program = read_sinumerik(text);
+    const ReadProgram program = read_sinumerik(text);
     return program.diagnostics.size() == 1 ? format(program.diagnostics[0], "f") : "";
   };
   EXPECT_THAT(said("G0 X0 Y0\nG1 X10 F600 RND=2\nZ4\n"), HasSubstr("working plane"));

@@ -14,7 +14,7 @@ using testing::ElementsAre;
 /// "R5" rapid to Z5, "F-3" feed to Z-3, "D2" dwell of 2 s.
 std::vector<std::string> steps_of(const std::string& call) {
   std::vector<std::string> steps;
-  const Program program = read_clean("G0 Z50\nS600 F120\n" + call);
+  const ReadProgram program = read_clean("G0 Z50\nS600 F120\n" + call);
   for (std::size_t i = 1; i < program.motions.size(); ++i) {
     const MotionBlock& block = program.motions[i];
     const bool dwell = block.motion == Motion::dwell;
@@ -46,18 +46,18 @@ TEST(SinumerikCycles, DeepHolesByStrokes) {
 }
 
 TEST(SinumerikCycles, FirstStrokeOfADeepHoleHasItsShareOfTheFeed) {
-  const Program program = read_clean("G0 Z50\nF100\nCYCLE83(10,0,2,-20,,-10,,0,0,0,0.5,0)");
+  const ReadProgram program = read_clean("G0 Z50\nF100\nCYCLE83(10,0,2,-20,,-10,,0,0,0,0.5,0)");
   EXPECT_DOUBLE_EQ(program.motions[2].feed, 50.0 / 60);
   EXPECT_DOUBLE_EQ(program.motions[4].feed, 100.0 / 60);
 }
 
 TEST(SinumerikCycles, TappingRunsAtLeadTimesSpeed) {
-  const Program program = read_clean("G0 Z50\nF100\nCYCLE84(10,0,2,-15,,0,3,6,,0,300,600)\nG1 X1");
+  const ReadProgram program = read_clean("G0 Z50\nF100\nCYCLE84(10,0,2,-15,,0,3,6,,0,300,600)\nG1 X1");
   ASSERT_EQ(program.motions.size(), 6U);
   EXPECT_DOUBLE_EQ(program.motions[2].feed, 5);
   EXPECT_DOUBLE_EQ(program.motions[3].feed, 10);
   EXPECT_DOUBLE_EQ(program.motions[5].feed, 100.0 / 60);
-  const Program floating = read_clean("G0 Z50\nS600\nCYCLE840(10,0,2,-15,,0,4,3,0,,1.5)");
+  const ReadProgram floating = read_clean("G0 Z50\nS600\nCYCLE840(10,0,2,-15,,0,4,3,0,,1.5)");
   EXPECT_DOUBLE_EQ(floating.motions[2].feed, 15);
 }
 
@@ -71,7 +71,7 @@ TEST(SinumerikCycles, TappingBreaksAndClearsChips) {
 class SinumerikLeads : public testing::TestWithParam<std::pair<const char*, double>> {};
 
 TEST_P(SinumerikLeads, AreInTheUnitThatTheCallSays) {
-  const Program program = read_clean("G0 Z50\nS60\n" + std::string(GetParam().first));
+  const ReadProgram program = read_clean("G0 Z50\nS60\n" + std::string(GetParam().first));
   EXPECT_NEAR(program.motions[2].feed, GetParam().second, 1e-12) << GetParam().first;
 }
 
@@ -85,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(Units, SinumerikLeads,
                                          std::pair("CYCLE840(10,0,2,-15,,0,4,3,0,,20,,2)", 1.27)));
 
 TEST(SinumerikCycles, FineBoringLiftsTheEdgeOffTheWall) {
-  const Program program = read_clean("G0 X5 Y6 Z50\nF100\nCYCLE86(10,0,2,-15,,0,3,-1,0.5,0.2,45)");
+  const ReadProgram program = read_clean("G0 X5 Y6 Z50\nF100\nCYCLE86(10,0,2,-15,,0,3,-1,0.5,0.2,45)");
   ASSERT_EQ(program.motions.size(), 6U);
   expect_near(program.motions[3].target, {4, 6.5, -14.8});
   expect_near(program.motions[4].target, {4, 6.5, 2});
@@ -93,13 +93,13 @@ TEST(SinumerikCycles, FineBoringLiftsTheEdgeOffTheWall) {
 }
 
 TEST(SinumerikCycles, AnotherAxisThanThatAcrossThePlaneMayBeNamed) {
-  const Program program = read_clean("G0 X50 Y7 Z8\nF100\nCYCLE83(40,30,2,10,,,20,0,0,0,1,0,1)");
+  const ReadProgram program = read_clean("G0 X50 Y7 Z8\nF100\nCYCLE83(40,30,2,10,,,20,0,0,0,1,0,1)");
   ASSERT_EQ(program.motions.size(), 4U);
   expect_near(program.motions[2].target, {10, 7, 8});
 }
 
 TEST(SinumerikCycles, ReamingHasFeedsOfItsOwn) {
-  const Program program = read_clean("G0 Z50\nF100\nCYCLE85(10,0,2,-15,,0,60,120)");
+  const ReadProgram program = read_clean("G0 Z50\nF100\nCYCLE85(10,0,2,-15,,0,60,120)");
   ASSERT_EQ(program.motions.size(), 5U);
   EXPECT_DOUBLE_EQ(program.motions[2].feed, 1);
   EXPECT_DOUBLE_EQ(program.motions[3].feed, 2);
@@ -107,14 +107,14 @@ TEST(SinumerikCycles, ReamingHasFeedsOfItsOwn) {
 }
 
 TEST(SinumerikCycles, ToolAxisIsThatOfThePlane) {
-  const Program program = read_clean("G18 G0 Y50\nF100\nCYCLE81(10,0,2,-15)");
+  const ReadProgram program = read_clean("G18 G0 Y50\nF100\nCYCLE81(10,0,2,-15)");
   EXPECT_DOUBLE_EQ(program.motions[2].target.y(), -15);
 }
 
 TEST(SinumerikCycles, ModalCallDrillsAtEveryPositionRowAndCircle) {
   const auto holes = [](const std::string& positions) {
     std::vector<std::pair<double, double>> found;
-    const Program program =
+    const ReadProgram program =
         read_clean("G0 Z50 F100\nMCALL CYCLE81(10,0,2,-15)\n" + positions + "\nMCALL\nG0 X99");
     for (const MotionBlock& block : program.motions) {
       if (block.motion == Motion::line) {

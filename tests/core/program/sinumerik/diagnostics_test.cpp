@@ -19,7 +19,7 @@ void PrintTo(const Case& c, std::ostream* out) {
 class SinumerikDiagnostics : public testing::TestWithParam<Case> {};
 
 TEST_P(SinumerikDiagnostics, NamesPlaceThingValueAndWhatToDo) {
-  const Program program = read_sinumerik(GetParam().text);
+  const ReadProgram program = read_sinumerik(GetParam().text);
   ASSERT_EQ(program.diagnostics.size(), 1U) << GetParam().text;
   EXPECT_EQ(format(program.diagnostics[0], "f"), GetParam().expected);
 }
@@ -236,7 +236,7 @@ INSTANTIATE_TEST_SUITE_P(
              "move; write a polynomial of degree 5 or less)"}));
 
 TEST(SinumerikDiagnostics, CurvesAreSaidOnceAndTheirWeightsWhereTheyAreWrong) {
-  const Program program =
+  const ReadProgram program =
       read_sinumerik("G0 X1\nBSPLINE X5 PW=0 F100\nG0 X7\nASPLINE X8 Y1\nX9 Y2\nCSPLINE X10\nX11 Y7");
   ASSERT_GE(program.diagnostics.size(), 2U);
   EXPECT_EQ(format(program.diagnostics[0], "f"),
@@ -246,7 +246,7 @@ TEST(SinumerikDiagnostics, CurvesAreSaidOnceAndTheirWeightsWhereTheyAreWrong) {
 }
 
 TEST(SinumerikDiagnostics, RotaryAxesUnderOrientationAreSaidOnceEach) {
-  const Program program = read_sinumerik("TRAORI\nG1 X1 A10 C5 F100\nX2 A20 C6\nX3 A30 C0");
+  const ReadProgram program = read_sinumerik("TRAORI\nG1 X1 A10 C5 F100\nX2 A20 C6\nX3 A30 C0");
   ASSERT_EQ(program.diagnostics.size(), 3U);
   EXPECT_EQ(format(program.diagnostics[1], "f"),
             "f:2:7: warning: axis A moves to 10 in a feed move, which is not simulated [unread-axis] (X, Y "

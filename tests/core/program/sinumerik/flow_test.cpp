@@ -110,7 +110,7 @@ TEST(SinumerikFlow, PartsAreRepeated) {
 
 TEST(SinumerikFlow, EndlessLoopEndsAtTheLimit) {
   const auto source = std::make_shared<const SourceText>("t.mpf", "G0 X1\nLOOP\nR1=R1+1\nENDLOOP");
-  const Program program =
+  const ReadProgram program =
       read_program(source, nullptr, {.dialect = Dialect::sinumerik, .repeat_limit = 1000});
   EXPECT_THAT(program.diagnostics, testing::Contains(testing::Field(&Diagnostic::code, "run-limit")));
 }

@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(
         FrameCase{"G70\n$P_PFRAME=CTRANS(X,1)\nG0 X0", {25.4, 0, 0}}));
 
 TEST(SinumerikFrames, ArcsTurnAndMirrorWithTheFrame) {
-  const Program program = read_clean("AMIRROR X0\nG2 X10 Y10 I10 J0 F100");
+  const ReadProgram program = read_clean("AMIRROR X0\nG2 X10 Y10 I10 J0 F100");
   ASSERT_EQ(program.arcs.size(), 1U);
   expect_near(program.arcs[0].center, {-10, 0, 0});
   expect_near(program.arcs[0].axis, Vec3::UnitZ());
@@ -74,7 +74,7 @@ TEST(SinumerikFrames, TheToolStaysWhereItIsWhenTheFrameChanges) {
 /// Function Manual K2, frames with G91: setting data 42440 is 1 by default, so that the change of the frame
 /// is traversed along with the increment.
 TEST(SinumerikFrames, AnIncrementAfterAChangeOfFrameTraversesTheChangeOnce) {
-  const Program program = read_sinumerik(
+  const ReadProgram program = read_sinumerik(
       "G0 X10 Y10\nTRANS X4 Y3\nG91 X1\nX1\nTRANS\nX=IC(1)\nG90 Y0\nATRANS Y5\nG90 Y1\nY=IC(1)");
   const std::vector<Vec3> ends{{10, 10, 0}, {15, 10, 0}, {16, 10, 0}, {13, 10, 0},
                                {13, 0, 0},  {13, 6, 0},  {13, 7, 0}};
@@ -88,11 +88,11 @@ TEST(SinumerikFrames, AnIncrementAfterAChangeOfFrameTraversesTheChangeOnce) {
 
 /// $P_UIFR gives the zero point in coordinates of the machine, so that SUPA is where the program says it.
 TEST(SinumerikFrames, MachineCoordinatesAreShownWhereTheProgramSetsItsZeroPoint) {
-  const Program program =
+  const ReadProgram program =
       read_clean("$P_UIFR[1]=CTRANS(X,-290,Y,-175,Z,-20)\nG54\nG0 X0 Y0 Z5\nG0 SUPA Z0\nSUPA X-300\nX0 Y0");
   EXPECT_EQ(text_of(program), (Lines{"rapid -290 -175 -15 @3", "rapid -290 -175 0 @4", "rapid -300 -175 0 @5",
                                      "rapid -290 -175 0 @6"}));
-  const Program part = read_sinumerik("$P_UIFR[1,Z,TR]=-20\nG54\nG0 X1 Y2 Z3\nSUPA Z0\nSUPA X0");
+  const ReadProgram part = read_sinumerik("$P_UIFR[1,Z,TR]=-20\nG54\nG0 X1 Y2 Z3\nSUPA Z0\nSUPA X0");
   EXPECT_EQ(text_of(part), (Lines{"rapid 1 2 -17 @3", "rapid 1 2 0 @4", "machine move 1 2 0 @5"}));
 }
 

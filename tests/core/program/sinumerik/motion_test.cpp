@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(Polar, SinumerikEnds,
                                          EndCase{"G1 F100 Y10 ANG=135", {-10, 10, 0}}));
 
 TEST(SinumerikMotion, FeedIsPerMinuteInverseTimeOrPerRevolution) {
-  const Program program =
+  const ReadProgram program =
       read_clean("G1 X10 F600\nG93 X20 F2\nG95 S600 X30 F0.1\nG94 X40 F120\nX50 FB=60\nX60\nG700 X3 F1");
   const std::vector<double> feeds{10, 10 * 2 / 60.0, 1, 2, 1, 2, 25.4 / 60};
   ASSERT_EQ(program.motions.size(), feeds.size());
@@ -63,7 +63,7 @@ TEST(SinumerikMotion, FeedIsPerMinuteInverseTimeOrPerRevolution) {
 }
 
 TEST(SinumerikMotion, DwellsInSecondsOrRevolutionsLeaveTheFeedAlone) {
-  const Program program = read_clean("G1 X1 F600 S120\nG4 F1.5\nG4 S3\nX2");
+  const ReadProgram program = read_clean("G1 X1 F600 S120\nG4 F1.5\nG4 S3\nX2");
   ASSERT_EQ(program.motions.size(), 4U);
   EXPECT_DOUBLE_EQ(program.motions[1].dwell, 1.5);
   EXPECT_DOUBLE_EQ(program.motions[2].dwell, 1.5);
@@ -72,7 +72,7 @@ TEST(SinumerikMotion, DwellsInSecondsOrRevolutionsLeaveTheFeedAlone) {
 
 /// A whole turn of a helix needs no coordinate of its plane.
 TEST(SinumerikMotion, AHelixMayNameItsCentreAndItsRiseAlone) {
-  const Program program = read_clean("G0 X13 Y10\nG91 G3 I-3 Z-1 F100");
+  const ReadProgram program = read_clean("G0 X13 Y10\nG91 G3 I-3 Z-1 F100");
   ASSERT_EQ(program.arcs.size(), 1U);
   expect_near(program.arcs[0].center, {10, 10, 0});
   EXPECT_EQ(program.arcs[0].turns, 1);
@@ -80,7 +80,7 @@ TEST(SinumerikMotion, AHelixMayNameItsCentreAndItsRiseAlone) {
 }
 
 TEST(SinumerikMotion, MacrosStandForTheirWords) {
-  const Program program = read_clean(
+  const ReadProgram program = read_clean(
       "DEFINE SAFE_Z AS G0 Z100 M5\nDEFINE STEP AS X=IC(R1) F600\nR1=5\nG1 X1 F100\nSAFE_Z\nN10 step G1 Y1 "
       ";STEP\nMSG(\"STEP\") X1");
   ASSERT_EQ(program.motions.size(), 4U);
@@ -92,7 +92,7 @@ TEST(SinumerikMotion, MacrosStandForTheirWords) {
 }
 
 TEST(SinumerikMotion, APositioningAxisRunsAtItsOwnFeed) {
-  const Program program = read_clean("G1 X1 F60\nFA[Z]=600\nPOS[Z]=10\nX2\nG91 POSA[Z]=AC(4)\nPOS[Z]=1");
+  const ReadProgram program = read_clean("G1 X1 F60\nFA[Z]=600\nPOS[Z]=10\nX2\nG91 POSA[Z]=AC(4)\nPOS[Z]=1");
   ASSERT_EQ(program.motions.size(), 5U);
   const std::vector<Vec3> ends{{1, 0, 0}, {1, 0, 10}, {2, 0, 10}, {2, 0, 4}, {2, 0, 5}};
   const std::vector<double> feeds{1, 10, 1, 10, 10};
@@ -103,7 +103,8 @@ TEST(SinumerikMotion, APositioningAxisRunsAtItsOwnFeed) {
 }
 
 TEST(SinumerikMotion, LimitsAndSurfaceSpeedsAreNoSpindleSpeed) {
-  const Program program = read_sinumerik("S600 M3\nG26 S9000\nG95 G1 X10 F1\nG96 S200\nX20\nG97 S1200\nX30");
+  const ReadProgram program =
+      read_sinumerik("S600 M3\nG26 S9000\nG95 G1 X10 F1\nG96 S200\nX20\nG97 S1200\nX30");
   ASSERT_EQ(program.motions.size(), 3U);
   EXPECT_NEAR(program.motions[0].feed, 10, 1e-12);
   EXPECT_NEAR(program.motions[1].feed, 10, 1e-12);
@@ -119,7 +120,7 @@ TEST(SinumerikMotion, DiametersAndRadiiMayBeSaidOfOneCoordinate) {
 class SinumerikQuarter : public testing::TestWithParam<const char*> {};
 
 TEST_P(SinumerikQuarter, EveryWayToWriteItGivesTheSameArc) {
-  const Program program = read_clean(GetParam());
+  const ReadProgram program = read_clean(GetParam());
   ASSERT_EQ(program.arcs.size(), 1U) << GetParam();
   expect_near(program.motions.back().target, {10, 10, 0});
   expect_near(program.arcs[0].center, {10, 0, 0});
@@ -136,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(Words, SinumerikQuarter,
                                          "G111 X10\nG2 AP=90 RP=10 F100"));
 
 TEST(SinumerikArcs, TangentArcLeavesTheLineAlongItAndTheArcAlongItsEnd) {
-  const Program program = read_clean("G1 X10 F100\nCT X20 Y10\nCT X10 Y20\nCT X30 Y20");
+  const ReadProgram program = read_clean("G1 X10 F100\nCT X20 Y10\nCT X10 Y20\nCT X30 Y20");
   ASSERT_EQ(program.arcs.size(), 2U);
   expect_near(program.arcs[0].center, {10, 10, 0});
   expect_near(program.arcs[1].center, {10, 10, 0});
@@ -146,7 +147,7 @@ TEST(SinumerikArcs, TangentArcLeavesTheLineAlongItAndTheArcAlongItsEnd) {
 }
 
 TEST(SinumerikArcs, RadiusWithSignChoosesTheLargerArcAndTurnAddsCircles) {
-  const Program program = read_clean("G3 X10 Y10 CR=-10 F100\nG3 X0 Y0 I-10 Z5 TURN=2");
+  const ReadProgram program = read_clean("G3 X10 Y10 CR=-10 F100\nG3 X0 Y0 I-10 Z5 TURN=2");
   ASSERT_EQ(program.arcs.size(), 2U);
   expect_near(program.arcs[0].center, {10, 0, 0});
   EXPECT_EQ(program.arcs[1].turns, 2);
@@ -154,21 +155,21 @@ TEST(SinumerikArcs, RadiusWithSignChoosesTheLargerArcAndTurnAddsCircles) {
 }
 
 TEST(SinumerikArcs, PlanesAreRightHandedWithTheirNormal) {
-  const Program program = read_clean("G18 G3 X10 Z10 I10 F100\nG19 G2 Y10 Z20 J10");
+  const ReadProgram program = read_clean("G18 G3 X10 Z10 I10 F100\nG19 G2 Y10 Z20 J10");
   ASSERT_EQ(program.arcs.size(), 2U);
   expect_near(program.arcs[0].axis, Vec3::UnitY());
   expect_near(program.arcs[1].axis, -Vec3::UnitX());
 }
 
 TEST(SinumerikArcs, IntermediatePointMayLieInAnyPlane) {
-  const Program program = read_clean("G0 X10\nCIP X-10 Y0 Z0 I1=0 J1=6 K1=8 F100");
+  const ReadProgram program = read_clean("G0 X10\nCIP X-10 Y0 Z0 I1=0 J1=6 K1=8 F100");
   ASSERT_EQ(program.arcs.size(), 1U);
   expect_near(program.arcs[0].center, {0, 0, 0});
   expect_near(program.arcs[0].axis, Vec3(0, -0.8, 0.6));
 }
 
 TEST(SinumerikMotion, ThreadRunsAtLeadTimesSpindleSpeed) {
-  const Program program = read_sinumerik("G0 X0 S300 F50\nG33 Z-10 K2\nG1 X5");
+  const ReadProgram program = read_sinumerik("G0 X0 S300 F50\nG33 Z-10 K2\nG1 X5");
   ASSERT_EQ(program.motions.size(), 3U);
   EXPECT_DOUBLE_EQ(program.motions[1].feed, 10);
   EXPECT_DOUBLE_EQ(program.motions[2].feed, 50.0 / 60);
@@ -177,7 +178,7 @@ TEST(SinumerikMotion, ThreadRunsAtLeadTimesSpindleSpeed) {
 }
 
 TEST(SinumerikMotion, ProgramEndsWithM30AndWhatFollowsIsNotRun) {
-  const Program program = read_sinumerik("G0 X1\nX2 M30\nX3");
+  const ReadProgram program = read_sinumerik("G0 X1\nX2 M30\nX3");
   EXPECT_EQ(program.motions.size(), 2U);
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(program.diagnostics[0].code, "text-after-end");
@@ -185,7 +186,7 @@ TEST(SinumerikMotion, ProgramEndsWithM30AndWhatFollowsIsNotRun) {
 
 TEST(SinumerikMotion, DeletedBlocksAreLeftOutWhenAsked) {
   const auto source = std::make_shared<const SourceText>("t.mpf", "G0 X1\n/1 X2\nN3 / X3\nX4");
-  const Program program =
+  const ReadProgram program =
       read_program(source, nullptr, {.dialect = Dialect::sinumerik, .skip_deleted_blocks = true});
   EXPECT_EQ(program.motions.size(), 2U);
 }

@@ -10,7 +10,7 @@ namespace {
 
 /// Of the last motion.
 PathControl control_of(const std::string& text) {
-  const Program program = read_clean(text);
+  const ReadProgram program = read_clean(text);
   return program.path_controls.at(program.motions.back().path_control);
 }
 
@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(
                                 {.mode = PathMode::continuous, .compaction = Switch::off}}));
 
 TEST(SinumerikPathControl, RapidsHaveTheirOwnDistance) {
-  const Program program = read_clean("G641 ADIS=0.5 ADISPOS=2\nG0 X1\nG1 X2 F100\nG0 X3");
+  const ReadProgram program = read_clean("G641 ADIS=0.5 ADISPOS=2\nG0 X1\nG1 X2 F100\nG0 X3");
   ASSERT_EQ(program.motions.size(), 3U);
   const auto distance = [&](std::size_t i) {
     return program.path_controls.at(program.motions[i].path_control).blend_distance;
@@ -128,7 +128,7 @@ TEST(SinumerikPathControl, RapidsHaveTheirOwnDistance) {
 }
 
 TEST(SinumerikPathControl, ExactStopOfOneBlockIsOver) {
-  const Program program = read_clean("G64 G602 G1 X1 F100\nG9 X2\nX3");
+  const ReadProgram program = read_clean("G64 G602 G1 X1 F100\nG9 X2\nX3");
   ASSERT_EQ(program.motions.size(), 3U);
   const PathControl& stop = program.path_controls.at(program.motions[1].path_control);
   EXPECT_EQ(stop.mode, PathMode::exact_stop);

@@ -10,13 +10,13 @@
 namespace feedscope {
 
 /// Its motions: see without_events().
-inline Program read_sinumerik(const std::string& text) {
+inline ReadProgram read_sinumerik(const std::string& text) {
   return without_events(read_text(text, ReadOptions{.dialect = Dialect::sinumerik}));
 }
 
 /// Reads a program that has nothing to be said about it.
-inline Program read_clean(const std::string& text) {
-  Program program = read_sinumerik(text);
+inline ReadProgram read_clean(const std::string& text) {
+  ReadProgram program = read_sinumerik(text);
   for (const Diagnostic& diagnostic : program.diagnostics) {
     if (diagnostic.code != "machining-mode") {  // every CYCLE832 has one
       ADD_FAILURE() << format(diagnostic, "program") << "\n" << text;
@@ -27,7 +27,7 @@ inline Program read_clean(const std::string& text) {
 
 /// The end of the program's last motion.
 inline Vec3 end_of(const std::string& text) {
-  const Program program = read_clean(text);
+  const ReadProgram program = read_clean(text);
   return program.motions.empty() ? Vec3(Vec3::Constant(-1)) : program.motions.back().target;
 }
 

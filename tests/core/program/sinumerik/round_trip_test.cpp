@@ -101,7 +101,7 @@ TEST(SinumerikRoundTrip, RandomPathsReadBackTheSameInEveryStyle) {
       for (const Move& move : path) {
         writer.add(move);
       }
-      const Program program = read_sinumerik(writer.text());
+      const ReadProgram program = read_sinumerik(writer.text());
       EXPECT_TRUE(program.diagnostics.empty()) << format(program.diagnostics.front(), "text");
       expect_same(path, program, 2);
       if (HasFatalFailure() || HasNonfatalFailure()) {

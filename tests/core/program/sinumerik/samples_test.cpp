@@ -13,10 +13,10 @@ namespace feedscope {
 namespace {
 
 /// Only that curves have become arcs may be said of a sample.
-Program read_sample(const std::string& name) {
+ReadProgram read_sample(const std::string& name) {
   const std::filesystem::path file =
       std::filesystem::path(FEEDSCOPE_SOURCE_DIR) / "resources" / "programs" / name;
-  Program program = read_program(std::make_shared<const SourceText>(SourceText::from_file(file)));
+  ReadProgram program = read_program(std::make_shared<const SourceText>(SourceText::from_file(file)));
   EXPECT_EQ(program.dialect, Dialect::sinumerik);
   for (const Diagnostic& diagnostic : program.diagnostics) {
     EXPECT_TRUE(diagnostic.code == "curve-as-arcs" || diagnostic.code == "machining-mode")
@@ -26,7 +26,7 @@ Program read_sample(const std::string& name) {
 }
 
 TEST(SinumerikSamples, PlateHasFourPocketsTwiceAndTenHoles) {
-  const Program program = read_sample("sinumerik_plate.mpf");
+  const ReadProgram program = read_sample("sinumerik_plate.mpf");
   // A helix, a circle and four corners in each of three rounds.
   EXPECT_EQ(program.arcs.size(), 2U * 4 * (2 + 3 * 4));
   EXPECT_NEAR(program.bounds.max.x(), 55, 1e-9);
@@ -44,7 +44,7 @@ TEST(SinumerikSamples, PlateHasFourPocketsTwiceAndTenHoles) {
 }
 
 TEST(SinumerikSamples, PlateIsFinishedWithinATenthOfTheRoughingTolerance) {
-  const Program program = read_sample("sinumerik_plate.mpf");
+  const ReadProgram program = read_sample("sinumerik_plate.mpf");
   std::set<double> tolerances;
   for (const MotionBlock& block : program.motions) {
     if (const auto tolerance = program.path_controls.at(block.path_control).contour_tolerance) {
@@ -55,7 +55,7 @@ TEST(SinumerikSamples, PlateIsFinishedWithinATenthOfTheRoughingTolerance) {
 }
 
 TEST(SinumerikSamples, WaveIsTheSameByLinesAndBySplines) {
-  const Program program = read_sample("sinumerik_wave.mpf");
+  const ReadProgram program = read_sample("sinumerik_wave.mpf");
   constexpr double degree = std::numbers::pi / 180;
   int lines = 0;
   double spline_error = 0;

@@ -61,7 +61,7 @@ TEST(SinumerikSubprograms, LieBesideTheProgramWhateverTheCaseOfTheirNames) {
   std::ofstream(folder / "OP10.MPF") << "X60\nM30";
   std::ofstream(folder / "sub_a.spf") << "%_N_SUB_A_SPF\n;$PATH=/_N_SPF_DIR\nG91 X1\nG90\nM17\n";
   std::ofstream(folder / "L20.SPF") << "G91\nX10\nG90";
-  const Program program =
+  const ReadProgram program =
       read_program(std::make_shared<const SourceText>(SourceText::from_file(folder / "part.mpf")), nullptr,
                    {.unit = LengthUnit::mm});
   EXPECT_EQ(program.dialect, Dialect::sinumerik);
@@ -75,7 +75,7 @@ TEST(SinumerikSubprograms, LieBesideTheProgramWhateverTheCaseOfTheirNames) {
 }
 
 TEST(SinumerikSubprograms, OneThatCallsItselfIsStopped) {
-  const Program program = read_sinumerik("%_N_MAIN_MPF\nG0 X1\nSUB1\nM30\n%_N_SUB1_SPF\nSUB1\nM17");
+  const ReadProgram program = read_sinumerik("%_N_MAIN_MPF\nG0 X1\nSUB1\nM30\n%_N_SUB1_SPF\nSUB1\nM17");
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(program.diagnostics[0].code, "call-depth");
 }

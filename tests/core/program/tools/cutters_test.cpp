@@ -44,12 +44,12 @@ class CutterOf : public testing::TestWithParam<Language> {
     std::ofstream(folder_ / name) << text;
     return folder_ / name;
   }
-  Program read(const std::string& before, ReadOptions options = {}) {
+  ReadProgram read(const std::string& before, ReadOptions options = {}) {
     options.dialect = GetParam().dialect;
     const std::filesystem::path file = write("part.nc", before + GetParam().program);
     return read_program(std::make_shared<const SourceText>(SourceText::from_file(file)), nullptr, options);
   }
-  static const Diagnostic* find(const Program& program, std::string_view code) {
+  static const Diagnostic* find(const ReadProgram& program, std::string_view code) {
     for (const Diagnostic& diagnostic : program.diagnostics) {
       if (diagnostic.code == code) {
         return &diagnostic;
@@ -58,13 +58,13 @@ class CutterOf : public testing::TestWithParam<Language> {
     return nullptr;
   }
   /// How far beside the contour the tool ends up.
-  static double beside(const Program& program) { return -program.motions.back().target.y(); }
+  static double beside(const ReadProgram& program) { return -program.motions.back().target.y(); }
 
   std::filesystem::path folder_;
 };
 
 TEST_P(CutterOf, NobodyKnowsIsAnErrorThatSaysHowToGiveIt) {
-  const Program program = read("");
+  const ReadProgram program = read("");
   ASSERT_NE(find(program, "tool-radius"), nullptr);
   EXPECT_NE(find(program, "tool-radius")
                 ->hint.english()
@@ -80,7 +80,7 @@ TEST_P(CutterOf, NobodyKnowsIsAnErrorThatSaysHowToGiveIt) {
 TEST_P(CutterOf, IsGivenBesideTheProgram) {
   ReadOptions options;
   options.radii.set(GetParam().tool, 4);
-  const Program program = read("", options);
+  const ReadProgram program = read("", options);
   EXPECT_EQ(find(program, "tool-radius"), nullptr);
   EXPECT_NEAR(beside(program), 4, 1e-12);
   ASSERT_EQ(program.cutters.size(), 1U);
@@ -90,7 +90,7 @@ TEST_P(CutterOf, IsGivenBesideTheProgram) {
 
 TEST_P(CutterOf, IsFoundInATableBesideTheProgram) {
   write("TOOLS.CSV", "nr;radius\n" + GetParam().tool + ";3,5\n");
-  const Program program = read("");
+  const ReadProgram program = read("");
   EXPECT_NEAR(beside(program), 3.5, 1e-12);
   ASSERT_NE(find(program, "tool-table"), nullptr);
   EXPECT_EQ(find(program, "tool-table")->severity, Severity::info);
@@ -108,7 +108,7 @@ TEST_P(CutterOf, IsFoundInATableOfAnyName) {
 
 TEST_P(CutterOf, AFaultyTableBesideTheProgramIsLeftAside) {
   write("tools.csv", "nr;radius\n" + GetParam().tool + ";wide\n");
-  const Program program = read("");
+  const ReadProgram program = read("");
   ASSERT_NE(find(program, "tool-table"), nullptr);
   EXPECT_EQ(find(program, "tool-table")->severity, Severity::warning);
   EXPECT_NE(find(program, "tool-radius"), nullptr);
@@ -127,7 +127,7 @@ TEST_P(CutterOf, IsZeroWhereTheCamSystemHasCompensated) {
   ReadOptions options;
   options.wear_only = true;
   for (const std::string& before : {std::string(), GetParam().programmed}) {
-    const Program program = read(before, options);
+    const ReadProgram program = read(before, options);
     EXPECT_FALSE(has_errors(program.diagnostics));
     EXPECT_EQ(beside(program), 0);
     EXPECT_EQ(program.cutters.at(0).source, CutterSource::asked);
@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(Dialects, CutterOf, testing::ValuesIn(languages()),
 TEST(Cutters, SinumeriksToolsMayHaveNames) {
   ReadOptions options{.dialect = Dialect::sinumerik};
   options.radii.set("mill_8,2", 4);
-  const Program program = read_program(
+  const ReadProgram program = read_program(
       std::make_shared<const SourceText>("part.mpf", "T=\"MILL_8\" D2\nG42 G1 X10 Y0 F100\nX20\nX30\n"),
       nullptr, options);
   EXPECT_NEAR(program.motions.back().target.y(), -4, 1e-12);

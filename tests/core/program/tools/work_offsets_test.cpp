@@ -14,7 +14,7 @@
 namespace feedscope {
 namespace {
 
-Program read(const std::string& text, Dialect dialect, const WorkOffsets& offsets = {}) {
+ReadProgram read(const std::string& text, Dialect dialect, const WorkOffsets& offsets = {}) {
   ReadOptions options;
   options.dialect = dialect;
   options.offsets = offsets;
@@ -81,7 +81,7 @@ TEST_P(WorkOffsetsOf, ShiftWhatIsProgrammedInThem) {
       text += "\n";
       expected.push_back(at);
     }
-    const Program program = read(text, GetParam().dialect, offsets);
+    const ReadProgram program = read(text, GetParam().dialect, offsets);
     ASSERT_EQ(program.motions.size(), expected.size()) << text;
     for (std::size_t i = 0; i < expected.size(); ++i) {
       ASSERT_LT((program.motions[i].target - expected[i]).norm(), 1e-9) << "motion " << i << "\n" << text;
@@ -103,7 +103,7 @@ TEST_P(WorkOffsetsOf, NotGivenAreZeroAndAWarningNamesThem) {
   one.set(GetParam().offsets[0], Vec3(1, 2, 3));
   const std::string text =
       "G90 " + GetParam().offsets[0] + "\nG0 X10 Y0 Z0\n" + GetParam().offsets[1] + "\nG0 X10 Y0 Z0\nX20\n";
-  const Program program = read(text, GetParam().dialect, one);
+  const ReadProgram program = read(text, GetParam().dialect, one);
   EXPECT_EQ(program.motions[0].target, Vec3(11, 2, 3));
   EXPECT_EQ(program.motions[1].target, Vec3(10, 0, 0));
   ASSERT_EQ(program.work_offsets.size(), 2U);
@@ -130,7 +130,7 @@ INSTANTIATE_TEST_SUITE_P(Dialects, WorkOffsetsOf,
 TEST(WorkOffsets, OfTheProgramReplaceThoseGiven) {
   WorkOffsets given;
   given.set("G55", Vec3(100, 0, 0));
-  const Program program =
+  const ReadProgram program =
       read("G90 G55 G0 X1 Y0 Z0\nG10 L2 P2 X-50 Y0 Z0\nG55 X1 Y0 Z0\n", Dialect::fanuc, given);
   EXPECT_EQ(program.motions[0].target, Vec3(101, 0, 0));
   EXPECT_EQ(program.motions.back().target, Vec3(-49, 0, 0));
