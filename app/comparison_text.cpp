@@ -88,7 +88,7 @@ class RunTable {
 std::string times_table(std::span<const ComparedRun> runs) {
   RunTable table;
   const auto figures = source_figures_of(runs, [](const ComparedRun& run) { return &run.summary; });
-  Cells head{"cycle time", "h:mm:ss", "x programmed", "mean achieved feed", "peak feed", "contour error"};
+  Cells head{"cycle time", "h:mm:ss", "x programmed", "mean feed", "peak feed", "contour error"};
   Cells head_units{"[s]", "", "", "[mm/min]", "[mm/min]", "[mm]"};
   for (const SourceFigure* figure : figures) {
     head.push_back(figure_title(*figure));

@@ -61,8 +61,8 @@ std::string fastest_text(const MergedComparison& merged) {
 
 std::string merge_text(const MergedComparison& merged) {
   TextTable table;
-  table.add({"", "machine", "model", "setting", "programs", "cycle time", "h:mm:ss", "mean achieved feed",
-             "contour error"});
+  table.add(
+      {"", "machine", "model", "setting", "programs", "cycle time", "h:mm:ss", "mean feed", "contour error"});
   table.add({"", "", "", "", "", "[s]", "", "[mm/min]", "[mm]"});
   const auto add = [&](const MergedRun& run, std::size_t programs, bool has_feed, bool fastest) {
     if (run.refused) {

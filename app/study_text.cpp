@@ -69,8 +69,7 @@ std::string curve_table(const Study& study, std::span<const StudyRun> curve) {
   const Sweep& sweep = study.sweeps.front();
   const std::string unit = sweep_unit(sweep.key);
   const auto figures = source_figures_of(study.runs, [](const StudyRun& run) { return &run.summary; });
-  std::vector<std::string> head{
-      "", sweep.key, "cycle time", "h:mm:ss", "mean achieved feed", "contour error"};
+  std::vector<std::string> head{"", sweep.key, "cycle time", "h:mm:ss", "mean feed", "contour error"};
   std::vector<std::string> head_units{
       "", unit.empty() ? "" : fmt::format("[{}]", unit), "[s]", "", "[mm/min]", "[mm]"};
   for (const SourceFigure* figure : figures) {
@@ -188,8 +187,8 @@ std::string ends_text(const Study& study, std::span<const StudyRun> curve) {
 
 std::string operations_text(const Study& study, const StudyRun& run) {
   TextTable table;
-  table.add({"line", "operation", "time", "share", "cutting", "mean achieved feed", "contour error",
-             "limited most by"});
+  table.add(
+      {"line", "operation", "time", "share", "cutting", "mean feed", "contour error", "limited most by"});
   table.add({"", "", "[s]", "[%]", "[mm]", "[mm/min]", "[mm]", ""});
   constexpr std::size_t longest_title = 40;
   for (std::size_t i = 0; i < run.operations.size(); ++i) {

@@ -11603,6 +11603,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>bound %1</source>
         <translation>borne %1</translation>
     </message>
+    <message>
+        <source>Actual contour error</source>
+        <translation>Erreur de contour réelle</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::DiagnosticsModel</name>

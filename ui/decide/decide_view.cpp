@@ -362,7 +362,7 @@ void DecideView::show_chart() {
     if (result != nullptr && !is_refused(result->run) && result->run.lines_not_run.size() == least_refused) {
       dots.push_back({row, result->run.summary.cycle_time, deciding_error(result->run.summary),
                       run_letter(row), runs_.items()[row].colour, taken && taken->run == row,
-                      row == runs_.current()});
+                      row == runs_.current(), result->run.summary.actual.has_value()});
     }
   }
   const bool several = dots.size() > 1;

@@ -234,7 +234,10 @@ void DecisionChart::draw_axes(QPainter& painter, const Scale& scale) const {
   painter.setPen(colours.text);
   painter.drawText(
       QRectF(scale.plot.left(), height() - metrics.height() - 1, scale.plot.width(), metrics.height()),
-      Qt::AlignCenter, with_unit_of(tr("Contour error"), Dimension::error));
+      Qt::AlignCenter,
+      with_unit_of(
+          std::ranges::any_of(dots_, &DecisionDot::actual) ? tr("Actual contour error") : tr("Contour error"),
+          Dimension::error));
   painter.drawText(QRectF(0, 0, width(), metrics.height()), Qt::AlignLeft,
                    time_scale_title(tr("Cycle time"), times));
 }

@@ -15,6 +15,7 @@ struct DecisionDot {
   QColor colour;
   bool taken = false;  ///< whether it is the run to take
   bool current = false;
+  bool actual = false;  ///< whether the error is the actual one, with drives
 };
 
 /// Name of a dot in a DecisionChart, or names of dots in one place.

@@ -244,9 +244,14 @@ void StudyChart::draw_plot(QPainter& painter, const Layout& layout, bool is_erro
   const double most = is_error ? in_shown_unit(layout.max_error, Dimension::error) : layout.max_time;
   const double least = is_error ? 0 : layout.min_time;
   const double line = QFontMetricsF(font()).height();
-  constexpr double rows = 1.5;  // of text between two ticks
-  const int max_ticks = std::clamp(static_cast<int>(plot.height() / (rows * line)), 2, 6);
-  const Ticks ticks = is_error ? round_ticks(least, most, max_ticks) : clock_ticks(least, most, max_ticks);
+  constexpr int max_ticks = 6;
+  Ticks ticks;
+  for (int count = max_ticks; count > 1; --count) {
+    ticks = is_error ? round_ticks(least, most, count) : clock_ticks(least, most, count);
+    if (ticks.step * plot.height() > line * (most - least)) {  // else labels would be left out
+      break;
+    }
+  }
   painter.setFont(sized(font(), text_size, true));
   painter.setPen(theme_colours(palette()).text);
   painter.drawText(

@@ -200,7 +200,8 @@ QString decision_chart(const ReportInput& input, ReportPictures& pictures) {
     if (moves(input.runs[row]) && refused_lines(input.runs[row]) == least_refused) {
       const Summary& summary = summary_of(input.runs[row]);
       dots.push_back({row, summary.cycle_time, deciding_error(summary), run_letter(row),
-                      input.runs[row].colour, taken && taken->run == row, taken && taken->run == row});
+                      input.runs[row].colour, taken && taken->run == row, taken && taken->run == row,
+                      summary.actual.has_value()});
     }
   }
   if (dots.size() < 2) {
