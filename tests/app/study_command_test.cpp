@@ -39,8 +39,8 @@ TEST_F(StudyCommand, RecommendsWithinTheBoundAndSaysWhatLimitsAtBothEnds) {
   EXPECT_EQ(result.err, "");
   EXPECT_THAT(
       in_one_line(result.out),
-      AllOf(HasSubstr("ward on Spinner MVC 850"), HasSubstr("Recommended within 0.03 mm: tolerance 0.01 mm"),
-            HasSubstr("contour error 0.0071 mm"), HasSubstr("At tolerance 0.01 mm the time is due to"),
+      AllOf(HasSubstr("ward on Spinner MVC 850"), HasSubstr("Recommended within 0.03 mm: tolerance 0.02 mm"),
+            HasSubstr("contour error 0.0141 mm"), HasSubstr("At tolerance 0.01 mm the time is due to"),
             HasSubstr("; at 0.16 mm to")));
   EXPECT_THAT(
       in_one_line(run("compare corner.nc --model essid --sweep 'tolerance=0.1;0.2' --within 0.001").out),

@@ -230,9 +230,12 @@ void KinematicChart::fit() {
   ordinate_step_ =
       tick_step(values_, std::max(2, static_cast<int>(plot_.height() / type_pixels(tick_distance))),
                 values_.width() * type_pixels(tick_distance + 1) / std::max(1.0, plot_.height()));
-  abscissa_step_ = tick_step({range_.lower(), range_.upper()},
-                             std::max(2, static_cast<int>(plot_.width() / type_pixels(80))));
   redraw();
+}
+
+double KinematicChart::abscissa_step() const {
+  return tick_step({range_.lower(), range_.upper()},
+                   std::max(2, static_cast<int>(plot_.width() / type_pixels(80))));
 }
 
 void KinematicChart::set_cursors(std::optional<double> first, std::optional<double> second) {
@@ -300,7 +303,7 @@ void KinematicChart::draw_picture(QPainter& painter) const {
   const ThemeColours& colours = theme_colours(palette());
   painter.fillRect(rect(), colours.plot);
   painter.setRenderHint(QPainter::Antialiasing);
-  ground_.draw(painter, rect(), plot_, {{range_.lower(), range_.upper()}, abscissa_step_},
+  ground_.draw(painter, rect(), plot_, {{range_.lower(), range_.upper()}, abscissa_step()},
                {values_, ordinate_step_}, colours);
   painter.save();
   painter.setClipRect(plot_);
@@ -342,8 +345,9 @@ void KinematicChart::draw_abscissa(QPainter& painter) const {
   const double title = left ? plot_.left() - half_label - wide : row.right() - wide;
   painter.drawText(QRectF(title, row.top(), wide, row.height()), Qt::AlignCenter, abscissa_title_);
   (left ? row.setLeft(title + wide) : row.setRight(title));
-  for (const double tick : multiples(abscissa_step_, range_.lower(), range_.upper())) {
-    const QString number = tick_text(tick, abscissa_step_);
+  const double step = abscissa_step();
+  for (const double tick : multiples(step, range_.lower(), range_.upper())) {
+    const QString number = tick_text(tick, step);
     const double half = metrics.horizontalAdvance(number) / 2;
     QRectF place(pixel_of(tick) - half, row.top(), 2 * half, row.height());
     place.moveRight(std::min(place.right(), width() - 1.0));

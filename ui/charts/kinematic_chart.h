@@ -122,6 +122,8 @@ class KinematicChart : public QWidget {
   bool moves(const LimitLine& limit) const;
   void draw_picture(QPainter& painter) const;
   void draw_ordinate(QPainter& painter) const;
+  /// Between ticks; of the range in sight, which changes before the curves follow.
+  double abscissa_step() const;
   void draw_abscissa(QPainter& painter) const;
   void draw_curves(QPainter& painter) const;
   void draw_extents(QPainter& painter, const std::vector<Extent>& extents, const QColor& color, double width,
@@ -133,8 +135,7 @@ class KinematicChart : public QWidget {
   ChartGround ground_;
   QRectF plot_;
   QString abscissa_title_;
-  double abscissa_step_ = 1;  ///< between ticks
-  double ordinate_step_ = 1;
+  double ordinate_step_ = 1;                  ///< between ticks
   std::vector<std::vector<Extent>> columns_;  ///< one for each curve, internal units
   std::vector<std::vector<Extent>> usual_;    ///< one for each curve, internal units
   std::size_t columns_a_stretch_ = 1;         ///< of usual_

@@ -19,6 +19,11 @@ QValueAxis* make_axis(QChart& chart, Qt::Alignment side) {
 }
 
 void set_axis(QValueAxis& axis, const ChartAxis& shown, const ThemeColours& colours) {
+  const double width = shown.range.upper - shown.range.lower;
+  // The axis lays out its ticks after each of the two: in this order they stay few.
+  if ((axis.max() - axis.min()) * axis.tickInterval() > width * shown.step) {
+    axis.setRange(shown.range.lower, shown.range.upper);
+  }
   axis.setTickInterval(shown.step);
   axis.setRange(shown.range.lower, shown.range.upper);
   axis.setGridLineColor(colours.grid);
