@@ -66,14 +66,12 @@ std::optional<Vec3> zero_of(const Machine& machine, const std::string& offset) {
 bool runs_as_much(const Machine& machine, const Run& run) {
   SetupRequest request;
   request.machine = machine.id;
-  const auto& not_run = run.lines_not_run;
   return std::ranges::all_of(run.input.program->work_offsets,
                              [&](const OffsetUse& use) {
                                return zero_of(machine, use.name) == zero_of(run.setup.machine, use.name);
                              }) &&
-         std::ranges::all_of(refused_lines(run.input, make_setup(request)), [&](const Diagnostic& refused) {
-           return std::ranges::find(not_run, refused.line, &Diagnostic::line) != not_run.end();
-         });
+         std::ranges::includes(run.lines_not_run, refused_lines(run.input, make_setup(request)), {},
+                               &Diagnostic::line, &Diagnostic::line);
 }
 
 std::vector<Remedy> other_machines(const Run& run) {
