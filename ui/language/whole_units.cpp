@@ -11,7 +11,7 @@ QString with_whole_units(QString text) {
                      "(?=(?:min|s|mm|tooth|dent)(?:[²³23]|\\b))"),
       QRegularExpression::UseUnicodePropertiesOption);
   static const QRegularExpression space(
-      QStringLiteral("(?<=\\d) (?=(?:[%°]|(?:mm|µm|m|in|ms|s|min|N|kN)(?![\\w/])))"),
+      QStringLiteral("(?<=[\\d_]) (?=(?:[%°]|(?:mm|µm|m|in|ms|s|min|N|kN)(?![\\w/])))"),
       QRegularExpression::UseUnicodePropertiesOption);
   constexpr char16_t joiner[] = u"\u2060";
   return text.replace(slash, QStringLiteral("\\1%1/%1").arg(QStringView(joiner)))

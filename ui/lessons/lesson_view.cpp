@@ -74,6 +74,13 @@ QString as_html(const QString& markdown) {
   return with_whole_units(QString::fromStdString(markdown_as_html(markdown.toStdString())));
 }
 
+/// Lays out at once: heights depend on widths, and the places of all widgets on these heights.
+void settle_heights() {
+  for (int turn = 0; turn < 2; ++turn) {
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+  }
+}
+
 bool is_setting(const std::string& key) {
   return key != "program" && key != "machine" && key != "model";
 }
@@ -577,10 +584,7 @@ void LessonView::show_texts() {
 }
 
 void LessonView::show_expected() {
-  // The height of the answer depends on its width, and everything below the question on that height.
-  for (int turn = 0; turn < 2; ++turn) {
-    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
-  }
+  settle_heights();
   const QRect shown = expected_->geometry();
   const int room = work_->viewport()->height();
   if (shown.height() > room) {
@@ -636,10 +640,10 @@ void LessonView::show_work() {
   for (QAction* action : {copy_action_, csv_action_, clear_action_}) {
     action->setEnabled(!work.tries.empty());
   }
-  tried_->setVisible(!work.tries.empty());
   if (open) {
     tries_->show_work(lesson->questions[desk_.question()], desk_.watched(), work);
   }
+  tried_->setVisible(!work.tries.empty());
   if (own_answer_->toPlainText() != work.answer) {
     const QSignalBlocker quiet(own_answer_);
     own_answer_->setPlainText(work.answer);
@@ -647,6 +651,9 @@ void LessonView::show_work() {
   if (transfer_->toPlainText() != desk_.transfer()) {
     const QSignalBlocker quiet(transfer_);
     transfer_->setPlainText(desk_.transfer());
+  }
+  if (tried_->isVisible()) {
+    settle_heights();  // before a long drawing shows the first row beneath the buttons
   }
 }
 
@@ -659,17 +666,16 @@ QList<QToolButton*> LessonView::values() const {
 }
 
 QString LessonView::measured() const {
-  return value_->text();
+  return measured_;
 }
 
 void LessonView::show_value() {
   const Lesson* lesson = desk_.lesson();
   value_->setVisible(lesson != nullptr);
   if (lesson != nullptr) {
-    value_->setText(tr("In the current run: %1 <b>%2</b>")
-                        .arg(desk_.watched(), desk_.value().isEmpty()
-                                                  ? QStringLiteral("–")
-                                                  : "<nobr>" + desk_.value() + "</nobr>"));
+    measured_ = tr("In the current run: %1 <b>%2</b>")
+                    .arg(desk_.watched(), desk_.value().isEmpty() ? QStringLiteral("–") : desk_.value());
+    value_->setText(with_whole_units(measured_));
   }
 }
 

@@ -146,6 +146,7 @@ class LessonView : public Panel {
   bool shared_by_user_ = false;
   QList<QAction*> actions_;
   QAction* set_up_action_ = nullptr;
+  QString measured_;
   QAction* return_action_ = nullptr;
   QAction* before_action_ = nullptr;
   QAction* after_action_ = nullptr;

@@ -29,6 +29,9 @@ TEST(WholeUnits, StayWithTheirNumber) {
   EXPECT_EQ(with_whole_units(QStringLiteral("A (0,002 mm), 46 % of 3 m/min, 12 s, 5 seconds, 2 may")),
             QString::fromUtf8(
                 "A (0,002\u00a0mm), 46\u00a0% of 3\u00a0m\u2060/\u2060min, 12\u00a0s, 5 seconds, 2 may"));
+  EXPECT_EQ(with_whole_units(QStringLiteral("it allows ____ m/min")),
+            QString::fromUtf8("it allows ____\u00a0m\u2060/\u2060min"))
+      << "a blank of a hand-out";
 }
 
 TEST(WholeUnits, LeaveOtherSlashesAlone) {
