@@ -2121,14 +2121,6 @@
         <translation>Avance de toutes les simulations, moyenne sur chacune des %1 parts égales de la trajectoire, et temps perdu par rapport à l’avance programmée. Sans rapides ni pauses.</translation>
     </message>
     <message>
-        <source>Feed, acceleration and jerk about the worst places</source>
-        <translation>Avance, accélération et jerk autour des pires endroits</translation>
-    </message>
-    <message>
-        <source>Feed, acceleration and jerk of the tool about the places of %1 that lose most; other runs where they are at the same place of the program. Rapids are left out.</source>
-        <translation>Avance, accélération et jerk de l’outil autour des endroits de %1 qui perdent le plus&#xa0;; les autres simulations au même endroit du programme. Sans rapides.</translation>
-    </message>
-    <message>
         <source>Where %1 loses most</source>
         <translation>Où %1 perd le plus</translation>
     </message>
@@ -2217,10 +2209,6 @@
         <translation>Avance, moyenne sur chacune des %1 parts égales de la trajectoire, et temps perdu par rapport à l’avance programmée. Sans rapides ni pauses.</translation>
     </message>
     <message>
-        <source>Feed, acceleration and jerk of the tool about the places that lose most. Rapids are left out.</source>
-        <translation>Avance, accélération et jerk de l’outil autour des endroits qui perdent le plus. Sans rapides.</translation>
-    </message>
-    <message>
         <source>The contour error keeps the bound of %1.</source>
         <translation>L’erreur de contour tient la borne de %1.</translation>
     </message>
@@ -2255,6 +2243,18 @@
     <message>
         <source>pins the tool axis</source>
         <translation>en épingles l’axe de l’outil</translation>
+    </message>
+    <message>
+        <source>Motion about the worst places</source>
+        <translation>Mouvement autour des pires endroits</translation>
+    </message>
+    <message>
+        <source>Motion of the tool about the places of %1 that lose most; other runs where they are at the same place of the program. Rapids are left out.</source>
+        <translation>Mouvement de l’outil autour des endroits de %1 qui perdent le plus&#xa0;; les autres simulations au même endroit du programme. Sans rapides.</translation>
+    </message>
+    <message>
+        <source>Motion of the tool about the places that lose most. Rapids are left out.</source>
+        <translation>Mouvement de l’outil autour des endroits qui perdent le plus. Sans rapides.</translation>
     </message>
 </context>
 <context>

@@ -241,7 +241,20 @@ std::vector<MotionWindow> motion_windows(const ReportInput& input) {
 }
 
 enum class MotionRow { feed, acceleration, jerk };
-constexpr std::array motion_rows{MotionRow::feed, MotionRow::acceleration, MotionRow::jerk};
+
+/// Whether the acceleration of a run does not jump: a jerk between jumps says nothing.
+bool has_jerk(const ReportRun& run) {
+  return run.shown->run.sources.limits_jerk;
+}
+
+/// Those that any of the drawn runs has.
+std::vector<MotionRow> motion_rows(const ReportInput& input) {
+  std::vector<MotionRow> rows{MotionRow::feed, MotionRow::acceleration};
+  if (std::ranges::any_of(drawn_runs(input), [&](std::size_t run) { return has_jerk(input.runs[run]); })) {
+    rows.push_back(MotionRow::jerk);
+  }
+  return rows;
+}
 
 double motion_value(const State& state, MotionRow row) {
   switch (row) {
@@ -264,13 +277,15 @@ QString motion_title(MotionRow row) {
 
 /// The curves of the runs in a window, those of others at the same place of the program; a rapid divides a
 /// curve.
-std::array<std::vector<MotionCurve>, 3> window_curves(const ReportInput& input, const MotionWindow& window) {
+std::vector<std::vector<MotionCurve>> window_curves(const ReportInput& input, const MotionWindow& window,
+                                                    const std::vector<MotionRow>& rows) {
   constexpr int samples = 300;
-  std::array<std::vector<MotionCurve>, 3> curves;
+  std::vector<std::vector<MotionCurve>> curves(rows.size());
   const ProgrammedPlace place = programmed_place(*input.run().shown->run.trajectory, window.centre);
   for (const std::size_t run : drawn_runs(input)) {
     const Trajectory& trajectory = *input.runs[run].shown->run.trajectory;
     const double centre = run == input.current ? window.centre : time_of(trajectory, place);
+    const bool jerk = has_jerk(input.runs[run]);
     bool parted = true;
     for (int i = 0; i <= samples; ++i) {
       const double offset = window.half * (2.0 * i / samples - 1);
@@ -282,11 +297,14 @@ std::array<std::vector<MotionCurve>, 3> window_curves(const ReportInput& input, 
         parted = true;
         continue;
       }
-      for (std::size_t row = 0; row < curves.size(); ++row) {
+      for (std::size_t row = 0; row < rows.size(); ++row) {
+        if (rows[row] == MotionRow::jerk && !jerk) {
+          continue;
+        }
         if (parted) {
           curves[row].emplace_back().pen = run_pen(input, run);
         }
-        curves[row].back().points.emplace_back(offset, motion_value(state, motion_rows[row]));
+        curves[row].back().points.emplace_back(offset, motion_value(state, rows[row]));
       }
       parted = false;
     }
@@ -303,13 +321,15 @@ void paint_motion_windows(QPainter& painter, const QSizeF& size, const ReportInp
   constexpr double below = 34;
   const double count = static_cast<double>(windows.size());
   const double width = (size.width() - left - motion_right - gap * (count - 1)) / count;
-  const double height = (size.height() - head - 3 * title - below) / 3;
-  std::array<std::vector<MotionPlot>, 3> plots;
+  const std::vector<MotionRow> rows = motion_rows(input);
+  const auto row_count = static_cast<double>(rows.size());
+  const double height = (size.height() - head - row_count * title - below) / row_count;
+  std::vector<std::vector<MotionPlot>> plots(rows.size());
   for (std::size_t column = 0; column < windows.size(); ++column) {
-    auto curves = window_curves(input, windows[column]);
+    auto curves = window_curves(input, windows[column], rows);
     for (std::size_t row = 0; row < plots.size(); ++row) {
       MotionPlot& plot = plots[row].emplace_back();
-      plot.title = column == 0 ? motion_title(motion_rows[row]) : QString();
+      plot.title = column == 0 ? motion_title(rows[row]) : QString();
       plot.place = {left + static_cast<double>(column) * (width + gap),
                     head + title + static_cast<double>(row) * (height + title), width, height};
       plot.from = -windows[column].half;
@@ -384,14 +404,13 @@ QString motion_windows_block(const ReportInput& input, ReportPictures& pictures)
   };
   return figure(
       pictures.add_elastic(QStringLiteral("windows"), report_width, {make, 330, 460},
-                           ReportWords::tr("Feed, acceleration and jerk about the worst places")),
+                           ReportWords::tr("Motion about the worst places")),
       input.runs.size() > 1
           ? ReportWords::tr(
-                "Feed, acceleration and jerk of the tool about the places of %1 that lose most; "
-                "other runs where they are at the same place of the program. Rapids are left out.")
+                "Motion of the tool about the places of %1 that lose most; other runs where they are "
+                "at the same place of the program. Rapids are left out.")
                 .arg(lettered_name(input, input.current))
-          : ReportWords::tr("Feed, acceleration and jerk of the tool about the places that lose most. Rapids "
-                            "are left out."));
+          : ReportWords::tr("Motion of the tool about the places that lose most. Rapids are left out."));
 }
 
 }  // namespace feedscope::ui
