@@ -4,7 +4,7 @@ namespace feedscope {
 
 // The desktop that a window appears on; posix/ and windows/ have a file each.
 
-/// Throws InputError where no window can appear; `instead` says what to do there.
+/// Throws InputError where no window can appear; `instead`: advice for there.
 void check_display(const char* instead);
 
 /// Closes a console that the system has opened for this process alone, as Windows does for a program that is

@@ -39,7 +39,7 @@ Character first_of(const char* text, std::size_t size) {
 
 }  // namespace
 
-/// As mbrtowc() for UTF-8, but what is invalid is no error: a program in Latin-1 may name a file, which does
+/// As mbrtowc() for UTF-8, but invalid bytes are no error: a program in Latin-1 may name a file, which does
 /// not exist then. A character outside the basic plane becomes two wide ones: the first call takes three of
 /// its bytes and keeps the low surrogate in `state`, the second takes the last byte.
 extern "C" std::size_t __wrap_mbrtowc(wchar_t* out, const char* bytes, std::size_t size,

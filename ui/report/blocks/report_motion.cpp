@@ -242,7 +242,7 @@ std::vector<MotionWindow> motion_windows(const ReportInput& input) {
 
 enum class MotionRow { feed, acceleration, jerk };
 
-/// Whether the acceleration of a run does not jump: a jerk between jumps says nothing.
+/// Whether the acceleration of a run does not jump: the jerk between jumps is meaningless.
 bool has_jerk(const ReportRun& run) {
   return run.shown->run.sources.limits_jerk;
 }

@@ -55,7 +55,7 @@ class WglContext : public OffscreenContext {
   WglContext() {
     constexpr std::array attributes{context_major_version, 3, context_minor_version, 2, context_profile,
                                     core_profile,          0};
-    const HGLRC first = wglCreateContext(window_.device());  // one of any version finds what makes the other
+    const HGLRC first = wglCreateContext(window_.device());  // of any version: needed to find the function
     wglMakeCurrent(window_.device(), first);
     const auto create = reinterpret_cast<CreateContext>(
         reinterpret_cast<void*>(wglGetProcAddress("wglCreateContextAttribsARB")));
